@@ -84,7 +84,7 @@ def unfit_calls(
             yield _absent(function, each, wrong[line], functions)
         elif line + 1 in wrong or (taken and declared and not _takes(declared, taken)):
             yield _unfit(function, each, declared)
-        elif each.has_result and result is not None and not _is_number(result.target):
+        elif each.has_result and result is not None and result.target.kind not in ("number", "enumeration"):
             message = f"{each.name!r} must return a number, as `success` is compared with it; the header has {_shown(result.target)}."
             yield function.finding(codes.CODE_UNFIT, each.pointer, message, "Remove `success`, or correct the code.")
 
@@ -103,12 +103,9 @@ def _unfit(function: ResolvedFunction, called: CalledFunction, declared: CFuncti
     takes = f"pointers to {' and '.join(called.arguments)}" if called.arguments else "no arguments"
     has = ", ".join(_shown(each.type) for each in declared.parameters) if declared else ""
     there = f"; the header has {has or 'none'}" if declared else ""
-    is_by_pointers = code is not None and code.signature == POINTERS
-    fix = (
-        "Correct `arguments`, or the code."
-        if is_by_pointers
-        else "Call it in a function without parameters, and name that one."
-    )
+    fix = "Call it in a function without parameters, and name that one."
+    if code is not None and code.signature == POINTERS:
+        fix = "Correct `arguments`, or the code."
     message = f"The function {called.name!r} must take {takes}{there}."
     return function.finding(codes.CODE_UNFIT, called.pointer, message, fix)
 
@@ -122,16 +119,8 @@ def _takes(declared: CFunction, taken: CFunction) -> bool:
 def _same(one: CType, other: CType) -> bool:
     if one.kind != "pointer":
         return False
-    first, second = one.target, other.target
-    return first.kind == "void" or (first.kind, first.key, first.names[-1:]) == (
-        second.kind,
-        second.key,
-        second.names[-1:],
-    )
-
-
-def _is_number(kind: CType) -> bool:
-    return kind.kind in ("number", "enumeration")
+    first, second = ((each.kind, each.key, each.names[-1:]) for each in (one.target, other.target))
+    return one.target.kind == "void" or first == second
 
 
 def _shown(kind: CType) -> str:

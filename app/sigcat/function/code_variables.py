@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding
+from sigcat.findings import Finding, RuleCode
 from sigcat.function.c_project.declarations import CFunction, CompilerError, CType, Declarations, Member, Record
 from sigcat.function.c_project.files import CodeFiles, headers_of
 from sigcat.function.c_project.parsing import lacks_system_header, parse_unit, syntax_error
@@ -193,6 +193,7 @@ def _seen(expression: str, code: CodeInterface) -> str:
 class _Answers(NamedTuple):
     """Answers of clang by line, and what they are compared with."""
 
+    function: ResolvedFunction
     wrong: Mapping[int, str]
     types: Mapping[int, CType]
     static_names: frozenset[str]
@@ -205,6 +206,12 @@ class _Answers(NamedTuple):
     members: Mapping[Pointer, Member]
     """Variables that are members of a struct."""
 
+    def finding(
+        self, question: _Question, message: str, fix: str, rule: RuleCode = codes.VARIABLE_TYPE_UNFIT
+    ) -> Finding:
+        """A finding at what a question was made from."""
+        return self.function.finding(rule, question.pointer, message, fix)
+
 
 def _compared(
     function: ResolvedFunction, questions: tuple[_Question, ...], answers: Declarations, before: int
@@ -212,6 +219,7 @@ def _compared(
     code = function.function.code
     types = {each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)}
     seen = _Answers(
+        function=function,
         wrong={error.place.line: error.message for error in answers.errors},
         types=types,
         static_names=frozenset(each.name for each in answers.variables if each.is_static),
@@ -232,7 +240,7 @@ def _compared(
     for line, question in enumerate(questions, before + 1):
         if question.is_assigned and question.pointer in unfit:
             continue
-        for finding in _of_question(function, question, line, seen):
+        for finding in _of_question(question, line, seen):
             unfit.add(question.pointer)
             yield finding
 
@@ -244,44 +252,47 @@ def _members(
     for line, question in enumerate(questions, before + 1):
         if question.member and line in types:
             record = records.get(types[line].target.key)
-            yield from (
-                (question.pointer, each) for each in (record.members if record else ()) if each.name == question.member
-            )
+            for each in record.members if record else ():
+                if each.name == question.member:
+                    yield question.pointer, each
 
 
-def _of_question(function: ResolvedFunction, question: _Question, line: int, seen: _Answers) -> Iterator[Finding]:
-    variable = question.variable
+def _of_question(question: _Question, line: int, seen: _Answers) -> Iterator[Finding]:
+    variable, said = question.variable, seen.wrong.get(line)
     if question.is_definition:
-        if line in seen.wrong:
-            yield _not_definable(function, question, seen.wrong[line])
+        if said is not None:
+            message = f"The adapter must define the variable as the header declares it; clang says: {said}."
+            fix = "Give the type of the header as `cType`." if variable else "Correct the type."
+            yield seen.finding(question, message, fix)
     elif variable is None:
         return
     elif question.is_assigned:
-        if line in seen.wrong and line - 2 not in seen.wrong:
-            yield _not_assignable(function, question, variable, seen.wrong[line])
+        if said is not None and line - 2 not in seen.wrong:
+            message = f"{variable.expression!r} must be a variable that the adapter can write; clang says: {said}."
+            yield seen.finding(question, message, "Correct this line, or the code.")
     elif question.element is not None:
-        for message in _outside(variable, question.element, seen.types.get(line)):
-            yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct the index.")
+        array, index = seen.types.get(line), question.element
+        if array is not None and array.kind == "array" and array.length and not 0 <= index < array.length:
+            has = f"the header has {array.length} elements, and {index} is the index"
+            message = f"{variable.expression!r} must be within its array; {has}."
+            yield seen.finding(question, message, "Correct the index.")
     else:
-        yield from _of_variable(function, question, variable, line, seen)
+        yield from _of_variable(question, variable, line, seen)
 
 
-def _of_variable(
-    function: ResolvedFunction, question: _Question, variable: CodeVariable, line: int, seen: _Answers
-) -> Iterator[Finding]:
+def _of_variable(question: _Question, variable: CodeVariable, line: int, seen: _Answers) -> Iterator[Finding]:
     root = _ROOT.match(variable.expression)
     if root is not None and root[1] in seen.static_names:
         message = f"{variable.expression!r} must not be static: each file that includes the header has its own."
         fix = "Declare it as extern in the header, and define it in one source."
-        yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+        yield seen.finding(question, message, fix)
     elif line in seen.wrong and line + 1 in seen.wrong:
         if seen.is_complete and variable.defined_by != _ADAPTER:
-            yield _not_declared(function, question, variable, seen.wrong[line])
+            message = f"The headers must declare {variable.expression!r}; clang says: {seen.wrong[line]}."
+            yield seen.finding(question, message, "Correct this line, or the code.", codes.CODE_UNFIT)
     else:
-        is_read = question.pointer[:-1] in seen.provided
-        types = seen.compared._replace(
-            members=dict(variable.members), is_read=is_read, is_replaced=variable.is_replaced
-        )
+        members, is_read = dict(variable.members), question.pointer[:-1] in seen.provided
+        types = seen.compared._replace(members=members, is_read=is_read, is_replaced=variable.is_replaced)
         is_bit_field = line in seen.wrong
         member = seen.members.get(question.pointer)
         known = Seen(
@@ -291,26 +302,4 @@ def _of_variable(
             width=member.width if member else None,
         )
         for message, fix in misfits(variable, known, types):
-            yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
-
-
-def _outside(variable: CodeVariable, index: int, array: CType | None) -> Iterator[str]:
-    """Say that an element is outside of its array, if the header says so."""
-    if array is not None and array.kind == "array" and array.length and not 0 <= index < array.length:
-        yield f"{variable.expression!r} must be within its array; the header has {array.length} elements, and {index} is the index."
-
-
-def _not_assignable(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
-    message = f"{variable.expression!r} must be a variable that the adapter can write; clang says: {said}."
-    return function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct this line, or the code.")
-
-
-def _not_declared(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
-    message = f"The headers must declare {variable.expression!r}; clang says: {said}."
-    return function.finding(codes.CODE_UNFIT, question.pointer, message, "Correct this line, or the code.")
-
-
-def _not_definable(function: ResolvedFunction, question: _Question, said: str) -> Finding:
-    message = f"The adapter must define the variable as the header declares it; clang says: {said}."
-    fix = "Give the type of the header as `cType`." if question.variable else "Correct the type."
-    return function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+            yield seen.finding(question, message, fix)

@@ -84,11 +84,7 @@ _MISSPELLED = codes.VALUE_MISSPELLED.id
 """Rule for values that VSS allows with a warning; if a function cannot hold one, that is reported instead."""
 _ABOUT_REFERENCES = frozenset(
     rule.id
-    for rule in (
-        codes.INTERFACE_UNKNOWN,
-        codes.INTERFACE_OF_ANOTHER_CATEGORY,
-        codes.INTERFACE_OF_ANOTHER_FUNCTION,
-    )
+    for rule in (codes.INTERFACE_UNKNOWN, codes.INTERFACE_OF_ANOTHER_CATEGORY, codes.INTERFACE_OF_ANOTHER_FUNCTION)
 )
 """Rules about errors in the name of an interface, which may stand alone or under `interface`."""
 
@@ -137,15 +133,11 @@ def _finding(
     subject = problem.subject
     node = definitions.by_path.get(context.path_of(subject.name)) if subject else None
     written = [name for name in subject.attributes if name in node.values] if subject and node else []
-    at = node.pointer(written[0]) if node and written and not _is_written(pointer) else pointer
+    is_at_key = bool(pointer) and isinstance(pointer[-1], str)  # such as the `min` of a signal: not at the reference
+    at = node.pointer(written[0]) if node and written and not is_at_key else pointer
     if problem.rule.id in _ABOUT_REFERENCES and document.has((*at, "interface")):
         at = (*at, "interface")
     return document.finding(problem.rule, at, problem.message, problem.fix, problem.path, first=problem.first)
-
-
-def _is_written(pointer: Pointer) -> bool:
-    """Whether a pointer leads to a key of a reference, such as the `min` of a signal, and not to the reference."""
-    return isinstance(pointer[-1], str) if pointer else False
 
 
 Attributes = frozenset[tuple[str, str]]

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.errors import NotFound
+from sigcat.function.hosted_runs import free_id
 from sigcat.limits import RUNS
 from sigcat.names import nearest
 
@@ -36,10 +37,7 @@ def told_apart(comparisons: Iterable[HostedComparison]) -> HostedComparisons:
     """The operator's own before shipped ones, each id once."""
     known: dict[str, HostedComparison] = {}
     for each in comparisons:
-        number, free = 1, each.id
-        while free in known:
-            number += 1
-            free = f"{each.id}-{number}"
+        free = free_id(each.id, known)
         known[free] = each._replace(id=free)
     return tuple(known.values())
 

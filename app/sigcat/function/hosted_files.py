@@ -11,7 +11,7 @@ from sigcat import codes
 from sigcat.data import EXAMPLES
 from sigcat.file_kind import ENDINGS, ending_of, file_kind
 from sigcat.findings import Finding
-from sigcat.function.hosted_runs import ENDING
+from sigcat.function.hosted_runs import ENDING, free_id
 from sigcat.limits import HOSTED_FUNCTION_BYTES, RECOGNITION_BYTES
 
 FILE = "function.yaml"
@@ -87,7 +87,8 @@ def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[Hosted
         if ending_of(path.name) == ENDING:
             continue
         try:
-            data = _begin_of(path)
+            with path.open("rb") as opened:  # of a file that is too large, one byte more than the limit
+                data = opened.read(HOSTED_FUNCTION_BYTES + 1)
         except OSError as error:
             _log.warning("%s: %s", path, error.strerror or error)
             if path in hosted:
@@ -101,12 +102,6 @@ def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[Hosted
                 _log.warning("%s: skipped, it has more than %d bytes", path, HOSTED_FUNCTION_BYTES)
                 file = _still(hosted.get(path, file._replace(data=b"")), _too_large(name))
             yield file
-
-
-def _begin_of(path: Path) -> bytes:
-    """The bytes of a file; of one that is too large one byte more than the limit."""
-    with path.open("rb") as file:
-        return file.read(HOSTED_FUNCTION_BYTES + 1)
 
 
 def _unreadable(name: str, error: OSError) -> Finding:
@@ -134,9 +129,6 @@ def with_ids(own: Iterable[HostedFile], shipped: HostedFiles) -> HostedFiles:
     """Files with unique ids: declarations before Function JSON, and the operator's own before shipped ones."""
     by_id: dict[str, HostedFile] = {}
     for file in sorted(own, key=lambda each: ending_of(each.name) == ".json"):
-        number, free = 1, file.id
-        while free in by_id:
-            number += 1
-            free = f"{file.id}-{number}"
+        free = free_id(file.id, by_id)
         by_id[free] = file._replace(id=free)
     return (*by_id.values(), *(file for file in shipped if file.id not in by_id))

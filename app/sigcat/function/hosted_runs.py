@@ -5,14 +5,13 @@ A run is what `sigcat simulate` writes. A trace of inputs, or expected outputs, 
 
 import csv
 import logging
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import islice
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import chain, count, islice
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.errors import NotFound
 from sigcat.file_kind import RUN_COLUMNS, ending_of
-from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data, errors, safety_reactions
@@ -59,17 +58,15 @@ def recordings_among(paths: Iterable[Path], folder: Path, group: str) -> Iterato
     taken: set[str] = set()
     for path, columns in islice(found, RUNS):
         below = path.relative_to(folder)
-        run_id = _free(below.stem if below.name != FILE else below.parent.name or folder.name, taken)
+        run_id = free_id(below.stem if below.name != FILE else below.parent.name or folder.name, taken)
         taken.add(run_id)
         yield HostedRun(run_id, (Path(folder.name) / below).as_posix(), path, group, columns)
 
 
-def _free(wanted: str, taken: set[str]) -> str:
-    number, free = 1, wanted
-    while free in taken:
-        number += 1
-        free = f"{wanted}-{number}"
-    return free
+def free_id(wanted: str, taken: Container[str]) -> str:
+    """The id; of one that is taken, the first free one with a number: `drive-2`."""
+    numbered = (f"{wanted}-{number}" for number in count(2))
+    return next(each for each in chain((wanted,), numbered) if each not in taken)
 
 
 def recorded_columns(path: Path) -> tuple[str, ...]:
@@ -101,13 +98,9 @@ def beside_runs(group: str, columns: Iterable[str], recordings: Iterable[HostedR
 
 def _sent(function: FunctionJson) -> Iterator[str]:
     """Columns that only this function writes; a safety reaction is decided by each function that has it."""
-    yield from (_column(item) for _, _, item in data(function) if item.role == PROVIDER)
+    yield from (item.vss_path or item.name for _, _, item in data(function) if item.role == PROVIDER)
     yield from (item.name for _, _, item in errors(function))
     yield from (item.name for item in function.mode_interfaces or () if item.direction == "Out")
-
-
-def _column(item: Signal | DataQueue) -> str:
-    return item.vss_path or item.name
 
 
 def run_named(run_id: str, runs: Sequence[HostedRun]) -> HostedRun:

@@ -174,11 +174,8 @@ def buildable(files: HostedFiles, catalogue: Catalogue) -> HostedFiles:
 
     To find out by trying takes time, since near names are looked for.
     """
-    return files if _has_interfaces(catalogue) else tuple(file for file in files if not file.is_shipped)
-
-
-def _has_interfaces(catalogue: Catalogue) -> bool:
-    return any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
+    has_interfaces = any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
+    return files if has_interfaces else tuple(file for file in files if not file.is_shipped)
 
 
 @lru_cache(maxsize=64)

@@ -44,19 +44,16 @@ def checked_functions(
     if of_tree and not catalogue.roots:  # it could not be read: a function has nothing to be checked against
         of_functions: Iterable[Finding] = of_tree
     else:
-        checked = (_checked_set if is_whole else _checked_part)(files, catalogue, folders, check_code)
+        if is_whole:
+            checked = _checked_set(files, catalogue, folders, check_code)
+        else:
+            known = with_others(files, catalogue, folders)
+            checked = check_functions(files, known, is_whole=False, check_code=check_code)
         of_functions = _causes_first(checked, of_tree)
     findings = tuple(dict.fromkeys((*of_units, *of_functions)))
     return CheckedFunctions(
         findings, tuple(file.name for file in catalogue.files), frozenset(finding.file for finding in of_units)
     )
-
-
-def _checked_part(
-    files: Sequence[tuple[bytes, str]], catalogue: Catalogue, folders: Sequence[Path], check_code: CodeCheck | None
-) -> tuple[Finding, ...]:
-    known = with_others(files, catalogue, folders)
-    return check_functions(files, known, is_whole=False, check_code=check_code)
 
 
 def _checked_set(

@@ -16,6 +16,7 @@ _FLOATING = {"float": 32, "double": 64}
 _ENUMERATION = 32
 """Bits of an enumeration of the usual size."""
 _DEEPEST = 16
+_CORRECT = "Correct the code, or the datatype."
 _PLAIN = "Use a plain number type of C, or convert the value in the code."
 
 _Limits = tuple[Fraction | None, Fraction | None]
@@ -55,31 +56,42 @@ class Misfit(NamedTuple):
     """A difference between a variable and its declaration, and its fix."""
 
     message: str
-    fix: str = "Correct the code, or the datatype."
+    fix: str
+
+
+class _Part(NamedTuple):
+    """A variable, or a part of one, and the datatype that is declared for it."""
+
+    expression: str
+    datatype: Datatype
+    types: Types
+    path: tuple[str, ...] = ()
+    """Names of the members that lead to it, in the catalogue."""
+
+
+def _misfit(expression: str, wanted: str, has: str, fix: str = _CORRECT) -> Misfit:
+    return Misfit(f"{expression!r} must {wanted}; the header has {has}.", fix)
 
 
 def misfits(variable: CodeVariable, seen: Seen, types: Types) -> Iterator[Misfit]:
     """Yield the differences of a variable. A queue needs an array with room for its values."""
-    datatype, found = types.datatypes.get(variable.datatype or ""), seen.type
+    expression, datatype, found = variable.expression, types.datatypes.get(variable.datatype or ""), seen.type
     if found is None:
         yield from _of_value(variable, seen, datatype, types)
         return
     kind, count = found.target, variable.elements
     if count and kind.kind == "array" and kind.of:
         if kind.length and kind.length < count:
-            yield Misfit(f"{variable.expression!r} must have at least {count} elements; the header has {kind.length}.")
+            yield _misfit(expression, f"have at least {count} elements", f"{kind.length}")
         kind = kind.of
     is_text = datatype is not None and datatype.vss_datatype == "string"
     is_array = datatype is not None and datatype.kind == "array"
     if datatype is None and kind.kind in ("array", "record", "other"):  # a number that both sides agree on
-        yield Misfit(
-            f"{variable.expression!r} must be {variable.c_type or 'an integer'}; the header has {_shown(kind)}."
-        )
-        return
-    if found.kind == "pointer" and (is_array or not (count or is_text or types.is_cpp)):
-        yield Misfit(f"{variable.expression!r} must be {_expected(datatype)}; the header has a pointer.")
-        return
-    yield from _differences(variable.expression, (), kind, datatype, types)
+        yield _misfit(expression, f"be {variable.c_type or 'an integer'}", _shown(kind))
+    elif found.kind == "pointer" and (is_array or not (count or is_text or types.is_cpp)):
+        yield _misfit(expression, f"be {_expected(datatype)}", "a pointer")
+    elif datatype is not None:
+        yield from _differences(_Part(expression, datatype, types), kind)
 
 
 def _expected(datatype: Datatype | None) -> str:
@@ -94,18 +106,18 @@ def _of_value(variable: CodeVariable, seen: Seen, datatype: Datatype | None, typ
         return
     if seen.is_bit_field:
         if datatype is not None:
-            yield from _of_bit_field(variable.expression, seen.value, seen.width, datatype, variable.limits, types)
+            part = _Part(variable.expression, datatype, types)
+            yield from _of_bit_field(part, seen.value, seen.width, variable.limits)
     elif seen.value.kind == "pointer" and (datatype is None or _is_number(datatype)):
-        yield Misfit(f"{variable.expression!r} must be one value; the header has a function.")
+        yield _misfit(variable.expression, "be one value", "a function")
 
 
-def _of_bit_field(
-    expression: str, kind: CType, width: int | None, datatype: Datatype, limits: _Limits, types: Types
-) -> Iterator[Misfit]:
+def _of_bit_field(part: _Part, kind: CType, width: int | None, limits: _Limits) -> Iterator[Misfit]:
     """Yield the difference of a bit field and a number: its kind, or that it has too few bits."""
-    declared = _number(datatype)
+    expression, datatype, types, _ = part
+    declared, wanted = _number(datatype), f"be {datatype.c_definition}"
     if kind.kind in ("number", "enumeration") and declared is not None and declared.sort == "floating":
-        yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has a bit field.")
+        yield _misfit(expression, wanted, "a bit field")
         return
     if width is None or kind.sort not in ("signed", "unsigned", "boolean"):
         return
@@ -113,16 +125,14 @@ def _of_bit_field(
     shown = f"a bit field of {width} {'bit' if width == 1 else 'bits'} ({kind.name})"
     if types.is_read:
         if declared is not None and not has.fits(declared):
-            yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {shown}.")
+            yield _misfit(expression, wanted, shown)
         return
     least, most = _numbers(datatype, declared, limits if types.is_replaced else (None, None))
     if not (has.holds(least) and has.holds(most)):
         fix = "limit the value with `min`, `max` and `rangeErrorAction`" if declared else "correct the numbers"
         if not declared and has.sort == "signed" and least >= 0:
             fix = "make it unsigned"
-        yield Misfit(
-            f"{expression!r} must hold {least} to {most}; the header has {shown}.", f"Widen the bit field, or {fix}."
-        )
+        yield _misfit(expression, f"hold {least} to {most}", shown, f"Widen the bit field, or {fix}.")
 
 
 def _numbers(datatype: Datatype, declared: "_Number | None", limits: _Limits) -> tuple[int, int]:
@@ -166,43 +176,41 @@ class _Number(NamedTuple):
         return (0, (1 << self.bits) - 1)
 
 
-def _differences(
-    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype | None, types: Types
-) -> Iterator[Misfit]:
-    if datatype is None or len(path) > _DEEPEST:
+def _differences(part: _Part, kind: CType) -> Iterator[Misfit]:
+    expression, datatype, types, path = part
+    if len(path) > _DEEPEST:
         return
     if datatype.kind == "array":
-        yield from _of_array(expression, path, kind, datatype, types)
+        yield from _of_array(part, kind)
     elif datatype.kind == "struct":
         if kind.kind in ("number", "array", "enumeration", "pointer"):
-            yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+            yield _misfit(expression, f"be {_expected(datatype)}", _shown(kind))
         elif kind.key in types.records and types.records[kind.key].is_complete:
-            yield from _of_members(expression, path, types.records[kind.key], datatype, types)
+            yield from _of_members(part, types.records[kind.key])
     elif kind.kind in ("array", "record", "pointer") and datatype.vss_datatype != "string":
-        yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+        yield _misfit(expression, f"be {_expected(datatype)}", _shown(kind))
     elif kind.kind == "other" and not types.is_cpp:  # of C++ it may be a class that converts itself
-        yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}.", _PLAIN)
+        yield _misfit(expression, f"be {datatype.c_definition}", kind.name, _PLAIN)
     elif kind.kind == "enumeration":
-        yield from _of_enumeration(expression, kind, datatype, is_read=types.is_read)
-        yield from _of_constants(expression, types.constants.get(kind.key, ()), datatype)
+        yield from _of_enumeration(part, kind)
+        yield from _of_constants(part, types.constants.get(kind.key, ()))
     elif kind.kind == "number" and "char" not in kind.names[-1:]:
-        yield from _of_number(expression, kind, datatype, is_read=types.is_read)
+        yield from _of_number(part, kind)
 
 
-def _of_array(
-    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype, types: Types
-) -> Iterator[Misfit]:
+def _of_array(part: _Part, kind: CType) -> Iterator[Misfit]:
+    expression, datatype, types, _ = part
     if kind.kind in ("number", "record"):
-        yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+        yield _misfit(expression, f"be {_expected(datatype)}", _shown(kind))
     elif kind.kind == "array" and kind.of:
         if not datatype.length:
             message = f"The length of {expression!r} must be known; the datatype has none, and the header {kind.length or 'none'}."
             yield Misfit(message, f"Set `arraysize: {kind.length or 'COUNT'}` of the signal.")
         if datatype.length and kind.length and datatype.length != kind.length:
-            yield Misfit(f"{expression!r} must have {datatype.length} elements; the header has {kind.length}.")
+            yield _misfit(expression, f"have {datatype.length} elements", f"{kind.length}")
         element = types.datatypes.get(datatype.element or "")
         if element is not None and element.kind != "array":
-            yield from _differences(f"{expression}[0]", path, kind.of, element, types)
+            yield from _differences(part._replace(expression=f"{expression}[0]", datatype=element), kind.of)
 
 
 def _shown(kind: CType) -> str:
@@ -213,55 +221,47 @@ def _shown(kind: CType) -> str:
     return f"the struct {kind.name}".rstrip() if kind.kind == "record" else kind.name
 
 
-def _of_members(
-    expression: str, path: tuple[str, ...], record: Record, datatype: Datatype, types: Types
-) -> Iterator[Misfit]:
+def _of_members(part: _Part, record: Record) -> Iterator[Misfit]:
     known = {member.name: member for member in record.members}
-    for field in datatype.fields or ():
-        name = types.members.get(".".join((*path, field.name)), field.name)
-        member = known.get(name)
+    for field in part.datatype.fields or ():
+        path = (*part.path, field.name)
+        name = part.types.members.get(".".join(path), field.name)
+        expression, member = f"{part.expression}.{name}", known.get(name)
         if member is None:
-            fix = did_you_mean(name, known)
-            fix = f"{fix} " if fix else ""
-            yield Misfit(
-                f"{expression!r} must have the member {name!r}; the struct of the header has {', '.join(known) or 'none'}.",
-                f"{fix}Name the member of the code with `members`, or correct the code.",
+            has = f"the struct of the header has {', '.join(known) or 'none'}"
+            fix = (
+                f"{did_you_mean(name, known)} Name the member of the code with `members`, or correct the code.".lstrip()
             )
-        elif member.is_const and not types.is_read:
-            yield Misfit(
-                f"{f'{expression}.{name}'!r} must be a member that the adapter can write; the header has a constant."
-            )
-        else:
-            yield from _of_member(f"{expression}.{name}", (*path, field.name), member, field, types)
+            yield Misfit(f"{part.expression!r} must have the member {name!r}; {has}.", fix)
+        elif member.is_const and not part.types.is_read:
+            yield _misfit(expression, "be a member that the adapter can write", "a constant")
+        elif (datatype := part.types.datatypes.get(field.datatype)) is not None:
+            yield from _of_member(_Part(expression, datatype, part.types, path), member, field)
 
 
-def _of_member(
-    expression: str, path: tuple[str, ...], member: Member, field: TypeField, types: Types
-) -> Iterator[Misfit]:
-    inner = types.datatypes.get(field.datatype)
+def _of_member(part: _Part, member: Member, field: TypeField) -> Iterator[Misfit]:
     if member.width is None:
-        yield from _differences(expression, path, member.type, inner, types)
-    elif inner is not None:
+        yield from _differences(part, member.type)
+    else:
         least, most = (None if each is None else Fraction(each) for each in (field.min, field.max))
-        yield from _of_bit_field(expression, member.type, member.width, inner, (least, most), types)
+        yield from _of_bit_field(part, member.type, member.width, (least, most))
 
 
-def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:
+def _of_enumeration(part: _Part, kind: CType) -> Iterator[Misfit]:
     """Yield the difference of an enumeration of C and a number: its size, or that it holds no fractions."""
-    declared, bits = _number(datatype), kind.bits or _ENUMERATION
-    is_narrow = declared is not None and (bits > declared.bits if is_read else bits < declared.bits)
+    declared, bits = _number(part.datatype), kind.bits or _ENUMERATION
+    is_narrow = declared is not None and (bits > declared.bits if part.types.is_read else bits < declared.bits)
     if declared is not None and (declared.sort == "floating" or is_narrow):
-        message = f"{expression!r} must be {datatype.c_definition}; the header has an enumeration of {bits} bits."
-        yield Misfit(message)
+        yield _misfit(part.expression, f"be {part.datatype.c_definition}", f"an enumeration of {bits} bits")
 
 
-def _of_constants(expression: str, constants: Sequence[Constant], datatype: Datatype) -> Iterator[Misfit]:
+def _of_constants(part: _Part, constants: Sequence[Constant]) -> Iterator[Misfit]:
     """Yield names whose number is not that of the one constant that ends with the same words: of `ECO`, it is `M_ECO`."""
-    for each in datatype.symbols or ():
+    for each in part.datatype.symbols or ():
         ending = _words(each.symbol)
         same = [constant for constant in constants if _words(constant.name)[-len(ending) :] == ending]
         if len(same) == 1 and same[0].value != each.value:
-            message = f"{expression!r} must have {each.symbol} as {same[0].value}, the number of {same[0].name} in the header, not as {each.value}."
+            message = f"{part.expression!r} must have {each.symbol} as {same[0].value}, the number of {same[0].name} in the header, not as {each.value}."
             yield Misfit(message, "Correct `values`, or the code.")
 
 
@@ -269,18 +269,18 @@ def _words(name: str) -> list[str]:
     return [word.lower() for word in words(name)]
 
 
-def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:
+def _of_number(part: _Part, kind: CType) -> Iterator[Misfit]:
+    expression, datatype, types, _ = part
     has, declared = _Number(kind.sort, kind.bits), _number(datatype)
     if declared is None:
         if has.sort == "floating" and datatype.vss_datatype != "string":
-            yield Misfit(f"{expression!r} must be an integer; the header has {kind.name}.", "Correct the code.")
+            yield _misfit(expression, "be an integer", kind.name, "Correct the code.")
         elif unheld := [each for each in datatype.symbols or () if not has.holds(each.value)]:
-            number = f"{unheld[0].value}, the number of {unheld[0].symbol}"
-            message = f"{expression!r} must hold {number}; the header has {kind.name}."
-            yield Misfit(message, "Correct the number, or the code.")
-    elif not (has.fits(declared) if is_read else declared.fits(has)):
-        message = f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}."
-        yield Misfit(message, f"Give `datatype: {vss_datatype(kind)}`, or correct the code.")
+            wanted = f"hold {unheld[0].value}, the number of {unheld[0].symbol}"
+            yield _misfit(expression, wanted, kind.name, "Correct the number, or the code.")
+    elif not (has.fits(declared) if types.is_read else declared.fits(has)):
+        fix = f"Give `datatype: {vss_datatype(kind)}`, or correct the code."
+        yield _misfit(expression, f"be {datatype.c_definition}", kind.name, fix)
 
 
 def _number(datatype: Datatype) -> _Number | None:

@@ -9,7 +9,8 @@ from yaml.nodes import MappingNode, Node, ScalarNode
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array, is_numeric
 from sigcat.function.function_json.conversion import IDENTITY
-from sigcat.function.importing.yaml_edits import Edit, entries_of, inline, items_of, value_at
+from sigcat.function.importing.yaml_edits import Edit, entries_of, items_of, value_at
+from sigcat.function.importing.yaml_text import inline
 from sigcat.migration.changed_text import (
     Outcome,
     Place,

@@ -16,7 +16,8 @@ from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES
 from sigcat.catalogue.reading.yaml_document import Builder, Unbuildable
 from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear
-from sigcat.function.importing.yaml_edits import Edit, entries_of, inline, items_of
+from sigcat.function.importing.yaml_edits import Edit, entries_of, items_of
+from sigcat.function.importing.yaml_text import inline
 from sigcat.migration.changed_text import (
     Outcome,
     Place,

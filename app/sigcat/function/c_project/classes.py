@@ -8,7 +8,7 @@ from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CClass, CFunction, Member
 from sigcat.function.c_project.found_calls import Group, use_of
 from sigcat.function.c_project.globals import ADD_BY_HAND, direction_unknown
-from sigcat.function.c_project.project import Interface
+from sigcat.function.c_project.project import ROLES, Interface, interface_of
 from sigcat.function.c_project.roles import Role, role_of
 
 
@@ -16,30 +16,24 @@ def class_interface(group: Group, code: Code) -> Interface:
     """The interface in the members of the class."""
     owner = group.owner
     assert owner is not None
-    found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
+    found: list[tuple[Role, Value]] = []
     findings = list(_with_arguments(group.functions))
     others: list[Value] = []
     unknown: list[Value] = []
     used = use_of((f"{owner.name}::{step.name}" for step in group.steps), code.declarations).used
     for member in owner.members:
         role = _role(member, code)
-        if role not in found and member.public:
+        if role not in ROLES and member.public:
             values = list(values_of(member.name, member.type, member.place, code, key=member.key))
             others += values
             unknown += [each for each in values if not role and each.key in used and not each.problem]
-        elif role in found:
+        elif role in ROLES:
             getter = _getter(owner, member) if not member.public and role == "output" else ""
-            found[role] += _values(getter or member.name, member, owner, code)
+            found += ((role, each) for each in _values(getter or member.name, member, owner, code))
             if not member.public and not getter:
                 findings.append(_private(member, role))
     findings += direction_unknown(unknown, ADD_BY_HAND)
-    return Interface(
-        tuple(found["input"]),
-        tuple(found["output"]),
-        tuple(found["parameter"]),
-        findings=tuple(findings),
-        others=tuple(others),
-    )
+    return interface_of(found, findings=tuple(findings), others=tuple(others))
 
 
 def _role(member: Member, code: Code) -> Role:

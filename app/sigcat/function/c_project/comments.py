@@ -39,7 +39,7 @@ class Comments:
     def beside(self, line: int, name: str = "") -> str:
         """The comment behind a line, or far right on the line after it; behind a name, where the line declares several."""
         declared = self._declared(line, name)
-        for comment in self._from(line):
+        for comment in self._comments[bisect_left(self._lines, line) :]:
             if comment.first == line and not comment.is_alone:
                 if comment.column < declared:
                     continue
@@ -86,9 +86,6 @@ class Comments:
         text = self._text[line - 1] if name and 0 < line <= len(self._text) else ""
         found = re.search(rf"\b{re.escape(name)}\b\s*(?:\[[^;]*)?[;,=:]", text) if text else None
         return found.start() if found else 0
-
-    def _from(self, line: int) -> Iterator[Comment]:
-        return iter(self._comments[bisect_left(self._lines, line) :])
 
     def _ending(self, line: int) -> Comment | None:
         at = bisect_left(self._lines, line + 1) - 1

@@ -1,7 +1,8 @@
 """Declarations of C and C++ code: functions, variables, classes and types, each with its place."""
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, NamedTuple, TypeVar
 
 
 class Place(NamedTuple):
@@ -151,83 +152,38 @@ class Declarations(NamedTuple):
         return frozenset(found)
 
 
+T = TypeVar("T")
+
+
 def declarations_from(answer: Mapping[str, Any]) -> Declarations:
-    """The declarations in an answer of the worker."""
-    return Declarations(
-        functions=tuple(map(_function, answer["functions"])),
-        variables=tuple(map(_variable, answer["variables"])),
-        classes=tuple(map(_class, answer["classes"])),
-        records={key: _record(each) for key, each in answer["records"].items() if each},
-        enumerations={
-            key: tuple(Constant(one["name"], one["value"]) for one in each["constants"])
-            for key, each in answer["enumerations"].items()
-        },
-        errors=tuple(
-            CompilerError(each["message"], _place(each), each["column"], each["own"], each["syntax"])
-            for each in answer["errors"]
-        ),
-        included={file: tuple(each) for file, each in answer["included"].items()},
-    )
+    """The declarations in an answer of the worker, which has the names of the fields here."""
+    return _made(Declarations, answer)
 
 
-def _place(each: Mapping[str, Any]) -> Place:
-    return Place(each["file"], each["line"])
+def _made(kind: Callable[..., T], fields: Mapping[str, Any]) -> T:
+    return kind(**{name: _MAKERS[name](value) if name in _MAKERS else value for name, value in fields.items()})
 
 
-def _type(each: Mapping[str, Any]) -> CType:
-    inner = each.get("of") or each.get("to")
-    return CType(
-        kind=each["kind"],
-        names=tuple(each.get("names", ())),
-        key=each.get("key", ""),
-        sort=each.get("sort", ""),
-        bits=each.get("bits", 0),
-        length=each.get("count", 0),
-        of=_type(inner) if inner else None,
-        const=each.get("const", False),
-    )
+def _list_of(kind: Callable[..., T]) -> Callable[[list[Any]], tuple[T, ...]]:
+    return lambda items: tuple(_made(kind, each) for each in items)
 
 
-def _member(each: Mapping[str, Any]) -> Member:
-    place = _place(each) if "file" in each else Place()
-    width, is_public, key = each.get("width"), each.get("public", True), each.get("key", "")
-    return Member(each["name"], _type(each["type"]), place, width, is_public, key, each.get("const", False))
+def _mapping_of(make: Callable[[Any], T]) -> Callable[[Mapping[str, Any]], dict[str, T]]:
+    return lambda values: {key: make(each) for key, each in values.items()}
 
 
-def _record(each: Mapping[str, Any]) -> Record:
-    members = tuple(map(_member, each["members"]))
-    return Record(each["name"], members, _place(each), each["union"], each["complete"])
-
-
-def _function(each: Mapping[str, Any]) -> CFunction:
-    return CFunction(
-        name=each["name"],
-        result=_type(each["result"]),
-        parameters=tuple(map(_member, each["parameters"])),
-        place=_place(each),
-        is_defined=each["defined"],
-        is_static=each["static"],
-        is_inline=each["inline"],
-        uses=frozenset(each.get("uses", ())),
-        writes=frozenset(each.get("writes", ())),
-        public=each.get("public", True),
-    )
-
-
-def _variable(each: Mapping[str, Any]) -> Variable:
-    return Variable(
-        name=each["name"],
-        type=_type(each["type"]),
-        place=_place(each),
-        written=each["written"],
-        is_const=each["const"],
-        is_static=each["static"],
-        is_defined=each["defined"],
-        value=each["value"],
-        uses=frozenset(each.get("uses", ())),
-    )
-
-
-def _class(each: Mapping[str, Any]) -> CClass:
-    members, methods = tuple(map(_member, each["members"])), tuple(map(_function, each["methods"]))
-    return CClass(each["name"], members, methods, _place(each))
+_MAKERS: Mapping[str, Callable[[Any], object]] = {
+    **dict.fromkeys(("type", "result", "of"), partial(_made, CType)),
+    **dict.fromkeys(("parameters", "members"), _list_of(Member)),
+    **dict.fromkeys(("functions", "methods"), _list_of(CFunction)),
+    **dict.fromkeys(("uses", "writes"), frozenset),
+    "names": tuple,
+    "place": partial(_made, Place),
+    "variables": _list_of(Variable),
+    "classes": _list_of(CClass),
+    "errors": _list_of(CompilerError),
+    "records": _mapping_of(partial(_made, Record)),
+    "enumerations": _mapping_of(_list_of(Constant)),
+    "included": _mapping_of(tuple),
+}
+"""Values of fields whose JSON has another form, by the names of the fields."""

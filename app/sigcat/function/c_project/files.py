@@ -22,6 +22,11 @@ _OUTSIDE = re.compile(
 )
 
 
+def is_header(path: str) -> bool:
+    """Whether a file is a header, by its name."""
+    return Path(path).suffix.lower() in HEADERS
+
+
 class CodeFiles(NamedTuple):
     """Texts by path within the folder, and what was found wrong with files."""
 
@@ -38,8 +43,7 @@ class CodeFiles(NamedTuple):
     @property
     def folders(self) -> tuple[str, ...]:
         """The folders in which headers are."""
-        headers = (path for path in self.texts if Path(path).suffix.lower() in HEADERS)
-        return tuple(dict.fromkeys(Path(path).parent.as_posix() for path in headers))
+        return tuple(dict.fromkeys(Path(path).parent.as_posix() for path in self.texts if is_header(path)))
 
 
 def read_folder(folder: Path) -> CodeFiles:

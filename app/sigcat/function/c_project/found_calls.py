@@ -3,14 +3,13 @@
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from pathlib import Path
 from typing import Literal, NamedTuple, NoReturn
 
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.declarations import CClass, CFunction, Declarations, Place
-from sigcat.function.c_project.files import HEADERS
+from sigcat.function.c_project.files import is_header
 
 CallKind = Literal["init", "step", "terminate"]
 
@@ -43,6 +42,15 @@ class Group(NamedTuple):
         """All calls, in the order in which they are made."""
         return tuple(each for each in (self.init, *self.steps, self.terminate) if each is not None)
 
+    def full_name(self, function: CFunction) -> str:
+        """Name of a call, with that of its class."""
+        return f"{self.owner.name}::{function.name}" if self.owner else function.name
+
+    @property
+    def full_names(self) -> tuple[str, ...]:
+        """Names of all calls."""
+        return tuple(map(self.full_name, self.functions))
+
 
 def find_calls(declarations: Declarations, model: str, function: str, folder: str, heading: Heading) -> Group:
     """The calls of the model that is named, of the one that is called as the function is, or of the only one.
@@ -71,9 +79,8 @@ def _refused(finding: Finding) -> InputRefused:
 
 def _none(folder: str) -> Finding:
     message = "The folder must have a function to call in every cycle, such as NAME_step."
-    fix = (
-        "Name the folder with the header that declares it; calls are found by names that end in init, step, terminate."
-    )
+    ends = "calls are found by names that end in init, step, terminate"
+    fix = f"Name the folder with the header that declares it; {ends}."
     return codes.CALLS_NOT_FOUND.finding(message, folder, fix=fix)
 
 
@@ -92,7 +99,7 @@ def _plain(name: str) -> str:
 def _groups_of_functions(declarations: Declarations, heading: Heading) -> Iterator[Group]:
     """By the name of a step; else by what Simulink writes above functions that are called from outside; else loosely."""
     found = _callable(declarations)
-    declared = [each for each in found if Path(each.place.file).suffix.lower() in HEADERS]
+    declared = [each for each in found if is_header(each.place.file)]
     groups = (
         list(_grouped(found, _WORDS))
         or list(_exported(declared, heading))
@@ -106,9 +113,11 @@ def _callable(declarations: Declarations) -> list[CFunction]:
     examples = main_files(declarations)
     found: dict[str, CFunction] = {}
     for each in declarations.functions:
-        if _may_be_called(each) and each.place.file not in examples:
-            found.setdefault(each.name, each)
-            found[each.name] = _at_its_header(found[each.name], each)
+        may_be_called = not each.is_static and each.name not in _MAIN and "::" not in each.name
+        if may_be_called and each.place.file not in examples:
+            known = found.setdefault(each.name, each)
+            if is_header(each.place.file) and not is_header(known.place.file):
+                found[each.name] = each
     return list(found.values())
 
 
@@ -138,26 +147,13 @@ def _ending(functions: list[CFunction], kind: CallKind) -> CFunction | None:
 def _without_dispatcher(group: Group, declarations: Declarations) -> Group:
     """Without the step that calls the others, one by one, as the number of a task tells it."""
     names = {step.name for step in group.steps}
-    calling = {
-        step.name for step in group.steps if names & (reachable([step.name], declarations) - {step.name})
-    }  # fmt: skip
+    calling = {name for name in names if names & (reachable([name], declarations) - {name})}
     return group._replace(steps=tuple(step for step in group.steps if step.name not in calling) or group.steps)
 
 
 def main_files(declarations: Declarations) -> frozenset[str]:
     """Files with a program, such as the example that Simulink generates."""
     return frozenset(each.place.file for each in declarations.functions if each.is_defined and each.name in _MAIN)
-
-
-def _at_its_header(known: CFunction, other: CFunction) -> CFunction:
-    is_better = (
-        Path(other.place.file).suffix.lower() in HEADERS and Path(known.place.file).suffix.lower() not in HEADERS
-    )
-    return other if is_better else known
-
-
-def _may_be_called(function: CFunction) -> bool:
-    return not function.is_static and function.name not in _MAIN and "::" not in function.name
 
 
 def _groups_of_classes(declarations: Declarations) -> Iterator[Group]:

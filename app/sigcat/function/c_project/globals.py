@@ -8,7 +8,7 @@ from sigcat.findings import Finding
 from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CType, Declarations, Variable
 from sigcat.function.c_project.found_calls import Group, Use, use_of
-from sigcat.function.c_project.project import CodeObject, Interface
+from sigcat.function.c_project.project import ROLES, CodeObject, Interface, interface_of
 from sigcat.function.c_project.roles import Role, is_of_the_generator, role_of
 
 _PARAMETER = re.compile(
@@ -25,7 +25,7 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
     """The interface in global variables. `linked` are the files that are compiled."""
     declarations = code.declarations
     use = use_of((step.name for step in group.steps), declarations)
-    found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
+    found: list[tuple[Role, Value]] = []
     unknown: list[Value] = []
     objects: dict[str, CodeObject] = {}
     shared = tuple(_shared(declarations, linked))
@@ -35,27 +35,20 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
         is_object = is_imported and _element(variable).kind == "record"
         defined_by, c_type = ("adapter", variable.written) if is_imported and not is_object else ("function", "")
         for role, value in _with_roles(variable, code, use):
-            if role in found:
+            if role in ROLES:
                 is_const = value.is_const or variable.is_const
-                found[role].append(value._replace(is_const=is_const, defined_by=defined_by, c_type=c_type))
+                found.append((role, value._replace(is_const=is_const, defined_by=defined_by, c_type=c_type)))
                 if is_object:
                     objects[variable.name] = _object(variable)
             elif not role:
                 unknown.append(value)
-    return Interface(
-        tuple(found["input"]),
-        tuple(found["output"]),
-        tuple(found["parameter"]),
-        objects=tuple(objects.values()),
-        findings=(*direction_unknown(unknown, _FIX), *_constant(shared, use)),
-    )
+    findings = (*direction_unknown(unknown, _FIX), *_constant(shared, use))
+    return interface_of(found, objects=tuple(objects.values()), findings=findings)
 
 
 def _object(variable: Variable) -> CodeObject:
     """An imported struct, or an array of structs, which is defined as a whole."""
-    return CodeObject(
-        variable.name, variable.written, variable.place, defined_by="adapter", length=variable.type.length
-    )
+    return CodeObject(variable.name, variable.written, variable.place, length=variable.type.length)
 
 
 def _element(variable: Variable) -> CType:
@@ -130,14 +123,8 @@ def _role_of_headings(comment: str, heading: str) -> Role:
 
 def _constant(shared: Iterable[Variable], use: Use) -> Iterator[Finding]:
     """One finding, at the first constant that the steps read."""
-    found = [
-        each
-        for each in shared
-        if each.is_const
-        and _element(each).kind != "record"
-        and _is_seen(each, use)
-        and not is_of_the_generator(each.name)
-    ]
+    constants = (each for each in shared if each.is_const and _element(each).kind != "record")
+    found = [each for each in constants if _is_seen(each, use) and not is_of_the_generator(each.name)]
     if found:
         more = f" and {len(found) - 1:,} more" if len(found) > 1 else ""
         message = f"{found[0].name!r}{more} must not be const to be a parameter; left out."

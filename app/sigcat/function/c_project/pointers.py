@@ -10,7 +10,7 @@ from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CFunction, CType, Member, Variable
 from sigcat.function.c_project.found_calls import Group, use_of
 from sigcat.function.c_project.globals import ADD_BY_HAND, direction_unknown
-from sigcat.function.c_project.project import CodeObject, Interface
+from sigcat.function.c_project.project import CodeObject, Interface, interface_of
 from sigcat.function.c_project.roles import Role, is_model_of_the_generator, role_of, role_of_words
 
 _MEMBERS: dict[str, tuple[Role, str]] = {
@@ -47,10 +47,8 @@ def pointer_interface(group: Group, code: Code) -> Interface:
     values = [(role, list(each)) for role, each in parts]
     used = use_of((step.name for step in group.steps), code.declarations).used
     unknown = [value for value in _of("", values) if value.key in used and not value.problem]
-    return Interface(
-        inputs=_of("input", values),
-        outputs=_of("output", values),
-        parameters=_of("parameter", values),
+    return interface_of(
+        [(role, each) for role, found in values for each in found],
         objects=tuple(found.object for found in objects),
         arguments={function.name: tuple(_arguments(function, passed)) for function in group.functions},
         findings=(*_by_value(group.functions), *direction_unknown(unknown, ADD_BY_HAND)),
@@ -75,18 +73,14 @@ def _passed(group: Group, code: Code) -> Iterator[_Found]:
             kind = parameter.type
             if not _is_object(kind):
                 continue
-            name = _object_name(parameter, code)
+            name = parameter.name or _named_after(kind.target, code) or "instance"
             if name not in names:
                 names.add(name)
                 yield _Found(CodeObject(name, kind.target.name, function.place), _role(parameter), kind.target)
 
 
-def _object_name(parameter: Member, code: Code) -> str:
-    """The name in the example program if it has one object of the type, else that of the parameter."""
-    return parameter.name or _named_after(parameter.type.target, code) or "instance"
-
-
 def _named_after(kind: CType, code: Code) -> str:
+    """The name in the example program, if that has one object of the type."""
     found = _variables_of(kind, code)
     return found[0].name if len(found) == 1 else ""
 

@@ -1,13 +1,15 @@
 """A project of C code, from its folder to its description."""
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from sigcat.findings import Finding
 from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.declarations import CFunction, Place
 from sigcat.function.c_project.found_calls import CallKind, Use
+from sigcat.function.c_project.roles import Role
 
 Signature = Literal["globals", "pointers", "class"]
 
@@ -53,6 +55,27 @@ class Interface(NamedTuple):
     others: tuple[Value, ...] = ()
     """Further values of the objects or the class, of which nothing tells what they are for."""
 
+    @property
+    def values(self) -> tuple[Value, ...]:
+        """Inputs, outputs and parameters."""
+        return (*self.inputs, *self.outputs, *self.parameters)
+
+
+def with_owners(expression: str) -> Iterator[str]:
+    """An expression such as `in.middle[0].flow`, and the structs and arrays that it is in: `in.middle[0]`, `in.middle`, `in`."""
+    yield expression
+    yield from (expression[: mark.start()] for mark in re.finditer(r"[.\[]", expression))
+
+
+ROLES: tuple[Role, ...] = ("input", "output", "parameter")
+"""Roles of the values of an interface, in their order."""
+
+
+def interface_of(values: Sequence[tuple[Role, Value]], **others: Any) -> Interface:
+    """The interface of values with their roles; `others` are its other fields."""
+    inputs, outputs, parameters = (tuple(value for role, value in values if role == each) for each in ROLES)
+    return Interface(inputs, outputs, parameters, **others)
+
 
 class CodeProject(NamedTuple):
     """Interface of the code of one model, with all that is needed to call it."""
@@ -82,3 +105,8 @@ class CodeProject(NamedTuple):
     """Whether a text of it is not C, so that what was read may be wrong."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""
+
+    @property
+    def steps(self) -> tuple[Call, ...]:
+        """The calls that are made in every cycle."""
+        return tuple(call for call in self.calls if call.kind == "step")

@@ -2,22 +2,22 @@
 
 import re
 import shlex
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, in_order
 from sigcat.function.c_project.classes import class_interface
-from sigcat.function.c_project.code_values import Code, Value, values_of
+from sigcat.function.c_project.code_values import Code, values_of
 from sigcat.function.c_project.comments import Comments
-from sigcat.function.c_project.declarations import CFunction, CompilerError, Declarations, Place, Variable
-from sigcat.function.c_project.files import HEADERS, CodeFiles, read_folder
+from sigcat.function.c_project.declarations import CFunction, CompilerError, Declarations, Variable
+from sigcat.function.c_project.files import CodeFiles, is_header, read_folder
 from sigcat.function.c_project.found_calls import CallKind, Group, find_calls, main_files, reachable, use_of
 from sigcat.function.c_project.globals import global_interface
 from sigcat.function.c_project.parsing import missing_includes, parse, syntax_error
 from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
-from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
+from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature, with_owners
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
 
@@ -41,11 +41,10 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
     if not folder.is_dir():
         raise UsageError(_no_folder(folder))
     files = read_folder(folder)._replace(definitions=tuple(definitions))
-    if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
+    if not any(map(is_header, files.texts)):
         message = "The folder must have headers of C or C++ (.h, .hpp)."
-        finding = codes.CODE_MISSING.finding(
-            message, str(folder), fix="Name the folder that the code was generated into."
-        )
+        fix = "Name the folder that the code was generated into."
+        finding = codes.CODE_MISSING.finding(message, str(folder), fix=fix)
         raise InputRefused("the code cannot be imported", (*files.findings, finding))
     parsed = parse(files)
     code = Code(parsed.declarations, {path: Comments(text) for path, text in files.texts.items()})
@@ -64,7 +63,9 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     linked = _linked(group, declarations, files)
     signature, whole = _interface(group, code, frozenset(linked))
     interface, left_out = usable(whole, declarations)
-    others = (*interface.others, *(_values(code) if signature == "globals" else ()))
+    variables = declarations.variables if signature == "globals" else ()
+    values = (value for each in variables for value in values_of(each.name, each.type, each.place, code))
+    others = (*interface.others, *values)
     header = group.steps[0].place.file
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
@@ -83,8 +84,8 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
-        expressions=frozenset(_expressions(whole, others)),
-        undivided=frozenset(each.expression for each in _all_values(whole, others) if each.length or each.problem),
+        expressions=frozenset(owner for value in (*whole.values, *others) for owner in with_owners(value.expression)),
+        undivided=frozenset(each.expression for each in (*whole.values, *others) if each.length or each.problem),
         others=others,
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations), *((_broken(broken),) if broken else ())]),
@@ -101,32 +102,15 @@ def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signat
     return "globals", global_interface(group, code, linked)
 
 
-def _values(code: Code) -> Iterator[Value]:
-    """The values of every variable."""
-    for each in code.declarations.variables:
-        yield from values_of(each.name, each.type, each.place, code)
-
-
-def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]:
-    """Everything that can be named, with what it is in."""
-    for value in _all_values(interface, others):
-        yield value.expression
-        yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
-
-
-def _all_values(interface: Interface, others: Iterable[Value]) -> Iterator[Value]:
-    yield from (*interface.inputs, *interface.outputs, *interface.parameters, *others)
-
-
 def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:
     """Public functions that are neither calls nor called by them, without those that give or take members."""
-    known = reachable((_full_name(each, group) for each in group.functions), declarations)
+    known = reachable(group.full_names, declarations)
     header = group.steps[0].place.file
     found = group.owner.methods if group.owner else declarations.functions
     beside = [each for each in found if each.place.file == header and each.public and not each.is_static]
     for each in {one.name: one for one in beside}.values():
-        is_new = each not in group.functions and _full_name(each, group) not in known
-        if is_new and Path(header).suffix.lower() in HEADERS and not _ACCESSOR.match(each.name):
+        is_new = each not in group.functions and group.full_name(each) not in known
+        if is_new and is_header(header) and not _ACCESSOR.match(each.name):
             yield each
 
 
@@ -137,23 +121,20 @@ _ACCESSOR = re.compile(r"(?:get|set)[A-Z_]|operator\b|~|main$")
 
 
 def _calls(group: Group, interface: Interface, code: Code, files: CodeFiles) -> Iterator[Call]:
-    kinds: list[tuple[CallKind, CFunction]] = [("step", step) for step in group.steps]
-    if group.init:
-        kinds.insert(0, ("init", group.init))
-    if group.terminate:
-        kinds.append(("terminate", group.terminate))
     is_only = len(group.steps) == 1
-    for kind, function in kinds:
+    for function in group.functions:
+        kind: CallKind = "init" if function is group.init else "terminate" if function is group.terminate else "step"
         time = _cycle_time(function, code, files, is_only=is_only) if kind == "step" else None
         arguments = interface.arguments.get(function.name, ())
         returns = function.result.kind in ("number", "enumeration")
-        use = use_of([_full_name(function, group)], code.declarations)
+        use = use_of([group.full_name(function)], code.declarations)
         yield Call(kind, function.name, function.place, arguments, time, returns, use)
 
 
 def _cycle_time(function: CFunction, code: Code, files: CodeFiles, *, is_only: bool) -> float | int | None:
     """As comments at the function say it, its name, or the code that initializes the model."""
-    for place in dict.fromkeys((function.place, *_places(function, code.declarations))):
+    same = (each.place for each in code.declarations.functions if each.name == function.name and each.place.file)
+    for place in dict.fromkeys((function.place, *same)):
         comments = code.comments[place.file]
         for comment in (comments.beside(place.line), comments.above(place.line)):
             if (found := cycle_time_of(comment)) is not None:
@@ -170,10 +151,6 @@ def _named_time(name: str) -> float | int | None:
     if rate and int(rate[1]):
         return cycle_time_of(f"Sample time: {1 / int(rate[1]) / (1000 if rate[2] else 1):.12f}")
     return cycle_time_of(f"every {named[1]} {named[2]}") if named else None
-
-
-def _places(function: CFunction, declarations: Declarations) -> Iterator[Place]:
-    yield from (each.place for each in declarations.functions if each.name == function.name and each.place.file)
 
 
 def _told_by_examples(code: Code) -> float | int | None:
@@ -193,7 +170,7 @@ def _step_size(files: CodeFiles) -> float | int | None:
 
 def _linked(group: Group, declarations: Declarations, files: CodeFiles) -> list[str]:
     """The sources that the calls need: those that define what they use. Of copies, that beside the header."""
-    names = reachable((_full_name(each, group) for each in group.functions), declarations)
+    names = reachable(group.full_names, declarations)
     home = Path(group.steps[0].place.file).parent.as_posix()
     examples = main_files(declarations)
     defining: dict[str, str] = {}
@@ -209,25 +186,18 @@ def _distance(path: str, home: str) -> tuple[bool, int, str]:
     return (folder != home, path.count("/"), path)
 
 
-def _full_name(function: CFunction, group: Group) -> str:
-    return f"{group.owner.name}::{function.name}" if group.owner else function.name
-
-
 def _headers(group: Group, interface: Interface, declarations: Declarations) -> Iterator[str]:
     """Headers that declare the calls and the values, without those that these include."""
     places = [each.place.file for each in group.functions]
     if not group.owner and not interface.arguments:
         places += [each.place.file for each in _declared_values(interface, declarations)]
-    wanted = [path for path in dict.fromkeys(places) if Path(path).suffix.lower() in HEADERS]
+    wanted = [path for path in dict.fromkeys(places) if is_header(path)]
     within = {each for path in wanted for each in declarations.all_included(path) if each != path}
     yield from (path for path in wanted if path not in within)
 
 
 def _declared_values(interface: Interface, declarations: Declarations) -> list[Variable]:
-    names = {
-        re.split(r"[.\[]", each.expression)[0]
-        for each in (*interface.inputs, *interface.outputs, *interface.parameters)
-    }
+    names = {re.split(r"[.\[]", each.expression)[0] for each in interface.values}
     return [each for each in declarations.variables if each.name in names and not each.is_defined]
 
 
@@ -258,9 +228,8 @@ def _undefined(
     interface: Interface, group: Group, declarations: Declarations, linked: frozenset[str]
 ) -> Iterator[Finding]:
     """Report variables that the sources use, and neither the function nor its adapter defines."""
-    used = use_of([_full_name(each, group) for each in group.functions], declarations).used if linked else frozenset()
-    values = (*interface.inputs, *interface.outputs, *interface.parameters)
-    known = {re.split(r"[.\[(]", value.expression)[0] for value in values}
+    used = use_of(group.full_names, declarations).used if linked else frozenset()
+    known = {re.split(r"[.\[(]", value.expression)[0] for value in interface.values}
     known |= {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
     lacking = {
         each.name: each for each in declarations.variables if each.name in used - known and "::" not in each.name

@@ -1,7 +1,6 @@
 """The values of an interface that a declaration can have; a finding for each of the others."""
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
@@ -11,24 +10,18 @@ from sigcat.function.c_project.project import Interface
 from sigcat.limits import CODE_VALUES
 
 
-class _Kept(NamedTuple):
-    values: tuple[Value, ...]
-    findings: tuple[Finding, ...]
-
-
 def usable(interface: Interface, declarations: Declarations) -> tuple[Interface, tuple[Finding, ...]]:
     """The interface without values that VSS cannot hold, that the compiler does not understand, or that are too many."""
     wrong = {error.place: error for error in declarations.errors if not error.is_own}
-    inputs = _kept(interface.inputs, wrong, CODE_VALUES)
-    outputs = _kept(interface.outputs, wrong, CODE_VALUES - len(inputs.values))
-    parameters = _kept(interface.parameters, wrong, CODE_VALUES - len(inputs.values) - len(outputs.values))
-    made = interface._replace(inputs=inputs.values, outputs=outputs.values, parameters=parameters.values)
-    return made, (*inputs.findings, *outputs.findings, *parameters.findings)
-
-
-def _kept(values: tuple[Value, ...], wrong: Mapping[Place, CompilerError], most: int) -> _Kept:
-    good = tuple(value for value in values if value.place not in wrong and not value.problem)
-    return _Kept(good[:most], (*_left_out(values, wrong), *_too_many(good, most)))
+    kept: list[tuple[Value, ...]] = []
+    findings: list[Finding] = []
+    for values in (interface.inputs, interface.outputs, interface.parameters):
+        good = tuple(value for value in values if value.place not in wrong and not value.problem)
+        most = CODE_VALUES - sum(map(len, kept))
+        kept.append(good[:most])
+        findings += (*_left_out(values, wrong), *_too_many(good, most))
+    inputs, outputs, parameters = kept
+    return interface._replace(inputs=inputs, outputs=outputs, parameters=parameters), tuple(findings)
 
 
 def _left_out(values: tuple[Value, ...], wrong: Mapping[Place, CompilerError]) -> Iterator[Finding]:

@@ -1,24 +1,23 @@
 """Function JSON against the catalogue: paths, datatypes, units, ranges and defaults that it states itself."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import SIGNALS
-from sigcat.catalogue.model.interfaces import Category, category_of, interface_name
+from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.conversion import IDENTITY, Linear, between
+from sigcat.function.document.problem import Problem, Problems, Subject
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_written, between
 from sigcat.function.function_json.datatypes.datatype import EnumerationValue
 from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import absent, contracts, data, parameters, runnables
+from sigcat.function.function_json.walk import absent, data, modes, parameters, runnables, statuses, subject_of
 from sigcat.names import did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 _AGAIN = "Build the document again, or use the catalogue that it was made with."
 
@@ -94,7 +93,7 @@ def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> P
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*pointer, "Units"), message, subject=Subject("data", node.path))
         return
     yield from _outside(pointer, item, node, conversion)
-    default, own = _number(node.values.get("default")), item.default
+    default, own = as_written(node.values.get("default")), item.default
     if own is not None and default is not None and not _close(Fraction(own), conversion(default)):
         yield _stale((*pointer, "Default"), "Default", own, float(conversion(default)), node)
 
@@ -113,26 +112,15 @@ def _outside(pointer: Pointer, item: Item, node: Node, conversion: Linear) -> Pr
     """A range wider than the catalogue's. Parameters have to have limits: those of the datatype count as none."""
     names = ("min", "max") if conversion.factor > 0 else ("max", "min")
     for key, own, name, sign in (("Min", item.min, names[0], 1), ("Max", item.max, names[1], -1)):
-        bound = _number(node.values.get(name))
+        bound = as_written(node.values.get(name))
         if own is None or bound is None:
             continue
         limit = conversion(bound)
         if Fraction(own) * sign < limit * sign and not _close(Fraction(own), limit):
             words = f"{float(limit):.12g} or {'more' if sign > 0 else 'less'}"
             message = f"`{key}` must be {words}, as {node.path!r} in the catalogue, not {own}."
-            yield Problem(
-                codes.RANGE_WIDER_THAN_CATALOGUE, (*pointer, key), message, subject=Subject("data", node.path)
-            )
-
-
-def _number(value: object) -> Fraction | None:
-    """A number as it is written: 0.1 is a tenth."""
-    if isinstance(value, bool):
-        return Fraction(int(value))
-    try:
-        return Fraction(repr(value)) if isinstance(value, int | float) else None
-    except ValueError:  # not a finite number
-        return None
+            at, subject = (*pointer, key), Subject("data", node.path)
+            yield Problem(codes.RANGE_WIDER_THAN_CATALOGUE, at, message, subject=subject)
 
 
 def _close(one: Fraction, other: Fraction) -> bool:
@@ -144,12 +132,17 @@ def _close(one: Fraction, other: Fraction) -> bool:
 
 
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
-    for pointer, name, path, category in _call_and_status_interfaces(function):
-        if path:
-            yield from _interface(pointer, Subject(category, name), path, catalogue)
+    for pointer, _, call in runnables(function):
+        yield from _interface(pointer, Subject("scheduling", call.name), call.vss_path, catalogue)
+    for pointer, _, status in statuses(function):
+        yield from _interface(pointer, subject_of(status), status.vss_path, catalogue)
+    for pointer, mode in modes(function):
+        yield from _interface(pointer, subject_of(mode), mode.vss_path, catalogue)
 
 
-def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalogue) -> Problems:
+def _interface(pointer: Pointer, subject: Subject, path: str | None, catalogue: Catalogue) -> Problems:
+    if not path:
+        return
     words = f"{subject.kind.replace('_', ' ')} interface"
     if catalogue.get(path) is None:
         near = did_you_mean(path, (each for each in catalogue.nodes if category_of(each) == subject.kind))
@@ -161,15 +154,3 @@ def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalog
     elif interface_name(path) != subject.name:
         message = f"`Name` must be {interface_name(path)!r}, as its path says, not {subject.name!r}."
         yield Problem(codes.DIFFERS_FROM_CATALOGUE, (*pointer, "Name"), message, subject=subject)
-
-
-def _call_and_status_interfaces(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:
-    for pointer, _, call in runnables(function):
-        yield pointer, call.name, call.vss_path, "scheduling"
-    for pointer, _, contract in contracts(function):
-        for i, error in enumerate(contract.errors or ()):
-            yield (*pointer, "ErrorList", i), error.name, error.vss_path, "error"
-        for i, reaction in enumerate(contract.safety_reactions or ()):
-            yield (*pointer, "SafetyReactionList", i), reaction.name, reaction.vss_path, "safety_reaction"
-    for i, mode in enumerate(function.mode_interfaces or ()):
-        yield ("ModeInterfaceList", i), mode.name, mode.vss_path, "mode"

@@ -1,13 +1,11 @@
 """Calls of a function: complete, in an order that can be kept, and implemented to the ASIL of their outputs."""
 
-from collections.abc import Iterator
-
 from sigcat import codes
 from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.schedule.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
@@ -15,14 +13,11 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, absent_in, c
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import did_you_mean
 
-Problems = Iterator[Problem]
-
 
 def check_calls(function: FunctionJson) -> Problems:
     """Every problem of calls, but for their supervision."""
     yield from _complete(function)
     yield from _cycles(function)
-    yield from _debounces(function)
     yield from _events(function)
     yield from _order(function)
     yield from _asil(function)
@@ -37,17 +32,16 @@ def _complete(function: FunctionJson) -> Problems:
 
 
 def _cycles(function: FunctionJson) -> Problems:
+    """Cyclic calls without a cycle time, or that are held back when they are due."""
     for pointer, _, runnable in runnables(function):
-        if runnable.run_type == "Cyclic" and not runnable.cycle_time:
+        delay, cycle = milliseconds(runnable.debounce_delay), runnable.cycle_time
+        if runnable.run_type != "Cyclic":
+            continue
+        if not cycle:
             message = f"{runnable.name} is cyclic, but has no cycle time."
             subject = Subject("scheduling", runnable.name, ("cycleTime",))
             yield Problem(codes.CYCLIC_CALL_WITHOUT_CYCLE, (*pointer, "Cycletime"), message, subject=subject)
-
-
-def _debounces(function: FunctionJson) -> Problems:
-    for pointer, _, runnable in runnables(function):
-        delay, cycle = milliseconds(runnable.debounce_delay), runnable.cycle_time
-        if runnable.run_type == "Cyclic" and delay is not None and cycle and delay > cycle:
+        elif delay is not None and delay > cycle:
             message = f"The debounce time of {runnable.name} must not exceed its cycle, {cycle} ms; got {delay:g} ms."
             fix = "Make it shorter: it would hold back calls that are due."
             subject = Subject("scheduling", runnable.name, ("debounceTime", "cycleTime"))

@@ -1,12 +1,13 @@
 """The C code of a function: its files, its objects, the calls in it, and who defines its variables."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from sigcat import codes
+from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier, root_of
 from sigcat.function.document.field_types import C_IDENTIFIER, C_MEMBER, C_TYPE, CPP_CLASS
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.code import (
     CLASS,
     GLOBALS,
@@ -17,13 +18,12 @@ from sigcat.function.function_json.code import (
     is_inside,
 )
 from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.variables import CodeVariable, variables
-from sigcat.function.function_json.walk import methods, runnables
+from sigcat.function.function_json.walk import arguments, methods, runnables, subject_of
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 ADAPTER = "Adapter"
 
@@ -58,9 +58,8 @@ def _paths(code: CodeInterface) -> Problems:
     for key, paths in lists.items():
         for index, path in enumerate(paths or ()):
             if not is_inside(path):
-                message = (
-                    f"A path must be relative, with `/`, and lead into the folder of the declaration, not {path!r}."
-                )
+                condition = "A path must be relative, with `/`, and lead into the folder of the declaration"
+                message = f"{condition}, not {path!r}."
                 fix = "Put the file beside the declaration, or below it."
                 yield Problem(codes.CODE_FILE_ELSEWHERE, ("Code", key, index), message, fix)
 
@@ -89,9 +88,8 @@ def _class(code: CodeInterface) -> Problems:
 
 def _macros(code: CodeInterface) -> Problems:
     for index, each in enumerate(code.definitions or ()):
-        at: Pointer = ("Code", "Macros", index)
         if not is_identifier(each.name):
-            yield _no_name(each.name, "A definition of the preprocessor", (*at, "Name"))
+            yield _no_name(each.name, "A definition of the preprocessor", ("Code", "Macros", index, "Name"))
 
 
 def _objects(code: CodeInterface) -> Problems:
@@ -159,47 +157,35 @@ def _symbols(function: FunctionJson) -> Problems:
         for below, symbol in named:
             if not is_identifier(symbol):
                 yield _no_name(symbol, f"A function that {call.name} calls", (*pointer, *below))
-        for i, contract in enumerate(call.contracts or ()):
-            for j, method in enumerate(contract.methods or ()):
-                if method.symbol is not None and not is_identifier(method.symbol):
-                    at = (*pointer, "funcContractList", i, "MethodList", j, "Symbol")
-                    yield _no_name(method.symbol, f"The function of {method.name}", at)
+    for pointer, _, method in methods(function):
+        if method.symbol is not None and not is_identifier(method.symbol):
+            yield _no_name(method.symbol, f"The function of {method.name}", (*pointer, "Symbol"))
 
 
 def _methods(function: FunctionJson) -> Problems:
     """Fields that only the other side of a method has."""
     for pointer, _, method in methods(function):
-        used = {
-            "Timeout": method.timeout,
-            "RequestVariable": method.request_variable,
-            "StatusVariable": method.status_variable,
-        }
-        misplaced = used if method.role == PROVIDER else {"Symbol": method.symbol}
-        for key, value in misplaced.items():
-            if value is not None:
-                role, other = ("provided", "used") if method.role == PROVIDER else ("consumed", "offered")
-                message = (
-                    f"{method.name!r} is {role}: `{key[:1].lower()}{key[1:]}` is that of a method that is {other}."
-                )
-                yield Problem(
-                    codes.METHOD_UNFIT, (*pointer, key), message, "Remove it.", Subject("method", method.name)
-                )
+        is_provided = method.role == PROVIDER
+        role, other = ("provided", "used") if is_provided else ("consumed", "offered")
+        for field in ("timeout", "request_variable", "status_variable") if is_provided else ("symbol",):
+            if getattr(method, field) is not None:
+                message = f"{method.name!r} is {role}: `{key_of(field)}` is that of a method that is {other}."
+                at = (*pointer, str(MethodInterface.model_fields[field].alias))
+                yield Problem(codes.METHOD_UNFIT, at, message, "Remove it.", subject_of(method))
 
 
 def _argument_lengths(function: FunctionJson) -> Problems:
     """An argument that is kept in a variable has a length that is known."""
     known = {datatype.reference: datatype for datatype in function.datatypes or ()}
     for pointer, _, method in methods(function):
-        for key, arguments in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
-            for index, argument in enumerate(arguments):
-                if argument.variable is not None and _is_open(argument.datatype, known):
-                    message = (
-                        f"The argument {argument.name} of {method.name} must have a length that is known, for no adapter "
-                        "can be generated with a text or an array of open length."
-                    )
-                    fix = "Give it a struct, or a number for each element."
-                    at = (*pointer, key, index, "Datatype")
-                    yield Problem(codes.ARGUMENT_OF_OPEN_LENGTH, at, message, fix, Subject("method", method.name))
+        for below, argument in arguments(method):
+            if argument.variable is not None and _is_open(argument.datatype, known):
+                message = (
+                    f"The argument {argument.name} of {method.name} must have a length that is known, for no adapter "
+                    "can be generated with a text or an array of open length."
+                )
+                at, fix = (*pointer, *below, "Datatype"), "Give it a struct, or a number for each element."
+                yield Problem(codes.ARGUMENT_OF_OPEN_LENGTH, at, message, fix, subject_of(method))
 
 
 def _is_open(reference: str, known: Mapping[str, Datatype], above: frozenset[str] = frozenset()) -> bool:
@@ -238,10 +224,8 @@ def _definers(function: FunctionJson) -> Problems:
             continue
         if not is_identifier(each.expression):
             message = f"The adapter must define a variable by its name, not {each.expression!r}."
-            keys = "type, `length`" if "[" in each.expression else "type"
-            fix = (
-                f"List {root_of(each.expression)!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
-            )
+            root, keys = root_of(each.expression), "type, `length`" if "[" in each.expression else "type"
+            fix = f"List {root!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
             yield _undefinable(each, message, fix)
         elif each.elements is not None and _is_array(each.datatype, types):
             message = f"The adapter must define a variable of one dimension; {each.expression!r} holds several arrays."

@@ -1,8 +1,8 @@
 """Problems that only follow from others: fixed with these, and so not reported beside them."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable
 
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.names import last_name, nearest
 
 _MISTYPED = frozenset(("scheduling", "error"))
@@ -14,7 +14,7 @@ def without_consequences(
     missing: Collection[Subject],
     is_reported: Callable[[Subject], bool],
     path_of: Callable[[str], str],
-) -> Iterator[Problem]:
+) -> Problems:
     """The problems that do not follow from others.
 
     `missing` are the parts that could not be resolved. `is_reported` says whether the rules of the catalogue have found
@@ -25,13 +25,12 @@ def without_consequences(
         if problem.circle and id(problem.circle) not in circles:
             circles[id(problem.circle)] = any(map(is_reported, problem.circle))
         is_consequence = problem.cause is not None and _is_missing(problem.cause, missing, path_of)
-        is_repeated = circles[id(problem.circle)] if problem.circle else _is_about(problem, is_reported)
+        if problem.circle:
+            is_repeated = circles[id(problem.circle)]
+        else:
+            is_repeated = problem.subject is not None and is_reported(problem.subject)
         if not is_consequence and not is_repeated:
             yield problem
-
-
-def _is_about(problem: Problem, is_reported: Callable[[Subject], bool]) -> bool:
-    return problem.subject is not None and is_reported(problem.subject)
 
 
 def _is_missing(cause: Subject, missing: Collection[Subject], path_of: Callable[[str], str]) -> bool:

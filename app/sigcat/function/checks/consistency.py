@@ -1,7 +1,5 @@
 """Whether a function is consistent in itself: checks of every function, wherever its document is from."""
 
-from collections.abc import Iterator
-
 from sigcat.function.checks.call_checks import check_calls
 from sigcat.function.checks.code import check_code
 from sigcat.function.checks.data_interfaces import check_data_interfaces
@@ -16,14 +14,14 @@ from sigcat.function.checks.schedule.supervision import check_supervision
 from sigcat.function.checks.schedule.times import check_times
 from sigcat.function.checks.unfit import check_texts
 from sigcat.function.checks.words import check_words
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problems
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import Origin
 
 
 def check_consistency(
     function: FunctionJson, known_errors: KnownErrors = NO_ERRORS, origin: Origin | None = None
-) -> Iterator[Problem]:
+) -> Problems:
     """Every problem of a function. `origin` is its declaration.
 
     What is wrong with a string is said once: by the check that knows it as an error, else by its type.
@@ -36,7 +34,7 @@ def check_consistency(
     yield from unfit
 
 
-def _problems(function: FunctionJson, known_errors: KnownErrors) -> Iterator[Problem]:
+def _problems(function: FunctionJson, known_errors: KnownErrors) -> Problems:
     yield from check_names(function)
     yield from check_data_interfaces(function, known_errors.names)
     yield from check_calls(function)

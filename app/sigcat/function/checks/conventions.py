@@ -4,7 +4,7 @@ Documents come from anywhere. What sigcat writes follows every convention.
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 
 from sigcat import codes
@@ -14,7 +14,7 @@ from sigcat.catalogue.model.datatypes import LARGEST_ROUNDED_TO_FLOAT
 from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.datatypes.primitive_types import (
@@ -25,10 +25,10 @@ from sigcat.function.function_json.datatypes.primitive_types import (
     proposed_reference,
     reference_type,
 )
+from sigcat.function.function_json.interfaces.data_interfaces import Signal
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import (
-    contracts,
     data,
     errors,
     methods,
@@ -36,10 +36,9 @@ from sigcat.function.function_json.walk import (
     references,
     runnables,
     safety_reactions,
+    subject_of,
 )
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 RUN_TYPES = ("Init", "Cyclic", "EventTriggered", "Shutdown")
 SCHEDULING = ("Preemptive", "Non-Preemptive")
@@ -70,24 +69,17 @@ def _c_definitions(function: FunctionJson) -> Problems:
     for i, datatype in enumerate(function.datatypes):
         if datatype.category != "primitive":
             continue
-        pointer = ("Datatypes", i, "cDef")
+        pointer, subject = ("Datatypes", i, "cDef"), Subject("datatype", datatype.reference)
         meant, promised = c_type(datatype.c_definition), reference_type(datatype.reference)
         row = BY_REFERENCE.get(datatype.reference)
         if meant is None:
+            message = f"`cDef` must be a type of C, not {datatype.c_definition!r}."
             fix = f"Write {row.c!r}." if row else "Write a type of C, such as 'uint16_t'."
-            yield Problem(
-                codes.NOT_A_TYPE_OF_C,
-                pointer,
-                f"`cDef` must be a type of C, not {datatype.c_definition!r}.",
-                fix,
-                Subject("datatype", datatype.reference),
-            )
+            yield Problem(codes.NOT_A_TYPE_OF_C, pointer, message, fix, subject)
         elif promised is not None and not agree(promised, meant):
             fix = f"Name it {proposed_reference(meant)!r}, or define it as {row.c!r}." if row else ""
             message = f"{datatype.reference!r} must be defined as its name says, not as {datatype.c_definition!r}."
-            yield Problem(
-                codes.TYPE_NAME_CONTRADICTS_DEFINITION, pointer, message, fix, Subject("datatype", datatype.reference)
-            )
+            yield Problem(codes.TYPE_NAME_CONTRADICTS_DEFINITION, pointer, message, fix, subject)
 
 
 def _unused_types(function: FunctionJson) -> Problems:
@@ -95,13 +87,8 @@ def _unused_types(function: FunctionJson) -> Problems:
     for i, datatype in enumerate(function.datatypes):
         if datatype.reference not in used:
             message = f"Nothing refers to the datatype {datatype.reference!r}."
-            yield Problem(
-                codes.TYPE_UNUSED,
-                ("Datatypes", i, "typeRef"),
-                message,
-                "Remove it.",
-                Subject("datatype", datatype.reference),
-            )
+            at, subject = ("Datatypes", i, "typeRef"), Subject("datatype", datatype.reference)
+            yield Problem(codes.TYPE_UNUSED, at, message, "Remove it.", subject)
 
 
 # -- levels and spellings -----------------------------------------------------------------------------------------
@@ -115,15 +102,9 @@ def _asil_levels(function: FunctionJson) -> Problems:
             message, fix = f"{runnable.name} has no ASIL.", "State one; QM without a requirement."
             yield Problem(codes.ASIL_OF_ELEMENT_MISSING, (*pointer, "AsilLevel"), message, fix, subject)
         yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, subject)
-    for pointer, _, item in data(function):
-        key = "AsilInfo" if "DataQList" in pointer else "AsilLevel"
-        yield from _asil((*pointer, key), item.asil_level, Subject("data", item.name))
-    for pointer, _, parameter in parameters(function):
-        yield from _asil((*pointer, "Asillevel"), parameter.asil_level, Subject("data", parameter.name))
-    for pointer, _, error in errors(function):
-        yield from _asil((*pointer, "AsilLevel"), error.asil_level, Subject("error", error.name))
-    for pointer, _, reaction in safety_reactions(function):
-        yield from _asil((*pointer, "AsilLevel"), reaction.asil_level, Subject("safety_reaction", reaction.name))
+    for pointer, _, item in (*data(function), *parameters(function), *errors(function), *safety_reactions(function)):
+        key = str(type(item).model_fields["asil_level"].alias)
+        yield from _asil((*pointer, key), item.asil_level, subject_of(item))
 
 
 def _asil(pointer: Pointer, text: str | None, subject: Subject) -> Problems:
@@ -143,17 +124,14 @@ def _priorities(function: FunctionJson) -> Problems:
     for pointer, _, runnable in runnables(function):
         if runnable.priority and runnable.priority_number is None:
             message = f"The priority of {runnable.name} must be a number, not {runnable.priority!r}."
-            fix = "Write a number; a higher one runs first."
-            yield Problem(
-                codes.PRIORITY_NO_NUMBER, (*pointer, "Priority"), message, fix, Subject("scheduling", runnable.name)
-            )
+            fix, subject = "Write a number; a higher one runs first.", Subject("scheduling", runnable.name)
+            yield Problem(codes.PRIORITY_NO_NUMBER, (*pointer, "Priority"), message, fix, subject)
 
 
 def _spellings(function: FunctionJson) -> Problems:
-    roles = [(pointer, item.role, Subject("data", item.name)) for pointer, _, item in data(function)]
-    roles += [(pointer, item.role, Subject("method", item.name)) for pointer, _, item in methods(function)]
-    for pointer, role, subject in roles:
-        yield from _spelling(codes.ROLE_MISSPELLED, (*pointer, "Role"), role, (CONSUMER, PROVIDER), subject)
+    roles, rule = (CONSUMER, PROVIDER), codes.ROLE_MISSPELLED
+    for pointer, _, item in (*data(function), *methods(function)):
+        yield from _spelling(rule, (*pointer, "Role"), item.role, roles, subject_of(item))
     rule = codes.RUN_TYPE_OR_SCHEDULING_MISSPELLED
     for pointer, _, runnable in runnables(function):
         subject = Subject("scheduling", runnable.name)
@@ -175,20 +153,15 @@ def _responsible(function: FunctionJson) -> Problems:
     words = {word.strip(",.").lower() for word in text.split()}
     if _PERSON.fullmatch(text) and not words & _GROUPS:
         message = f"The responsible must be a team, not a person as {text!r} seems to be."
-        yield Problem(
-            codes.RESPONSIBLE_IS_A_PERSON,
-            ("FunctionInfo", "FunctionResponsible"),
-            message,
-            "Name the team that answers for it.",
-        )
+        at, fix = ("FunctionInfo", "FunctionResponsible"), "Name the team that answers for it."
+        yield Problem(codes.RESPONSIBLE_IS_A_PERSON, at, message, fix)
 
 
 def _descriptions(function: FunctionJson) -> Problems:
     described: list[tuple[Pointer, Text]] = [(("FunctionInfo",), function.info.description)]
     described += [(pointer, runnable.description) for pointer, _, runnable in runnables(function)]
-    for pointer, _, contract in contracts(function):
-        described += [((*pointer, "SignalList", i), item.description) for i, item in enumerate(contract.signals or ())]
-        described += [((*pointer, "ErrorList", i), item.description) for i, item in enumerate(contract.errors or ())]
+    described += [(pointer, item.description) for pointer, _, item in data(function) if isinstance(item, Signal)]
+    described += [(pointer, error.description) for pointer, _, error in errors(function)]
     for pointer, text in described:
         if not _SENTENCE.fullmatch(text.raw.strip()):
             message = f"The description must be a sentence, not {_short(text.raw)!r}."
@@ -208,14 +181,9 @@ def _mentions(function: FunctionJson) -> Problems:
         for word in _MENTION.findall(runnable.priority):
             meant = lowered.get(word.lower())
             if meant and word not in names:
-                message = f"The call must be spelled {meant!r}, not {word!r}."
-                yield Problem(
-                    codes.CALL_MISSPELLED_IN_TEXT,
-                    (*pointer, "Priority"),
-                    message,
-                    f"Write {meant!r}.",
-                    Subject("scheduling", runnable.name),
-                )
+                message, fix = f"The call must be spelled {meant!r}, not {word!r}.", f"Write {meant!r}."
+                subject = Subject("scheduling", runnable.name)
+                yield Problem(codes.CALL_MISSPELLED_IN_TEXT, (*pointer, "Priority"), message, fix, subject)
 
 
 # -- units and paths ----------------------------------------------------------------------------------------------
@@ -226,15 +194,16 @@ def _paths(function: FunctionJson) -> Problems:
         if item.vss_path is None and not (item.model_extra or {}).get("VssPath"):
             message = f"{item.name!r} names no path of the catalogue (`VssPath`)."
             fix = "With a path, its datatype, unit and range can be checked and need not be typed."
-            yield Problem(codes.DATA_WITHOUT_PATH, pointer, message, fix, Subject("data", item.name))
+            yield Problem(codes.DATA_WITHOUT_PATH, pointer, message, fix, subject_of(item))
 
 
 def _units(function: FunctionJson, catalogue: Catalogue | None) -> Problems:
     kinds = {d.reference: c_type(d.c_definition) for d in function.datatypes}
     by_ending = {n.name.lower(): n for n in catalogue.nodes.values() if n.is_leaf} if catalogue else {}
     for pointer, _, item in data(function):
+        at, subject = (*pointer, "Units"), subject_of(item)
         if item.units:
-            yield from _known_unit((*pointer, "Units"), item.name, item.units, catalogue)
+            yield from _known_unit(at, subject, item.units, catalogue)
             continue
         kind = kinds.get(item.datatype)
         is_known = item.vss_path is not None
@@ -243,30 +212,21 @@ def _units(function: FunctionJson, catalogue: Catalogue | None) -> Problems:
         if node and unit:
             relation = "is" if is_known else "seems to be"
             message = f"{item.name!r} has no unit; it {relation} {node.path!r}, which is in {unit!r}."
-            yield Problem(
-                codes.UNIT_MISSING, (*pointer, "Units"), message, f"Write {unit!r}.", Subject("data", item.name)
-            )
+            yield Problem(codes.UNIT_MISSING, at, message, f"Write {unit!r}.", subject)
         elif kind is not None and kind.kind == "floating" and not is_known:
             message = f"{item.name!r} is a physical value without a unit."
-            yield Problem(
-                codes.UNIT_MISSING,
-                (*pointer, "Units"),
-                message,
-                "Write the key of its unit, such as 'kg'.",
-                Subject("data", item.name),
-            )
+            yield Problem(codes.UNIT_MISSING, at, message, "Write the key of its unit, such as 'kg'.", subject)
 
 
-def _known_unit(pointer: Pointer, name: str, unit: str, catalogue: Catalogue | None) -> Problems:
-    subject = Subject("data", name)
+def _known_unit(pointer: Pointer, subject: Subject, unit: str, catalogue: Catalogue | None) -> Problems:
     if unit.lower() in _NO_UNITS:
-        message = f"The unit of {name!r} must be a unit, not {unit!r}, which is a kind of datatype."
+        message = f"The unit of {subject.name!r} must be a unit, not {unit!r}, which is a kind of datatype."
         fix = "Leave the unit out, and list the values in the datatype (`Symbols`)."
         yield Problem(codes.UNIT_NOT_IN_CATALOGUE, pointer, message, fix, subject)
     elif catalogue is not None and catalogue.vocabulary.is_unknown(unit):
         keys = [known.key for known in catalogue.vocabulary.distinct_units]
         longer = [key for key in keys if key.lower().startswith(unit.lower()) and key.isalpha()]
-        message = f"The unit of {name!r} must be one of the catalogue, not {unit!r}."
+        message = f"The unit of {subject.name!r} must be one of the catalogue, not {unit!r}."
         fix = f"Did you mean {longer[0]!r}?" if longer and len(unit) > 1 else did_you_mean(unit, keys)
         yield Problem(codes.UNIT_NOT_IN_CATALOGUE, pointer, message, fix, subject)
 
@@ -297,9 +257,7 @@ def _lost_ranges(function: FunctionJson) -> Problems:
                 f"which holds {float(low):g} to {float(high):g}."
             )
             fix = "Choose a larger datatype or another scale, or narrow the range."
-            yield Problem(
-                codes.CONVERSION_LOSES_RANGE, (*pointer, "Datatype"), message, fix, Subject("data", item.name)
-            )
+            yield Problem(codes.CONVERSION_LOSES_RANGE, (*pointer, "Datatype"), message, fix, subject_of(item))
 
 
 def _numbers(datatype: Datatype) -> tuple[float, float] | None:

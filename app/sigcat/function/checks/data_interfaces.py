@@ -1,30 +1,22 @@
 """Signals, queues and parameters: ranges, start values and timeouts."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.code import DEFAULT_STORAGE
+from sigcat.function.function_json.conversion import is_outside
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.function.function_json.walk import (
-    data,
-    declared_data,
-    errors,
-    methods,
-    parameters,
-    runnables,
-    safety_reactions,
-)
+from sigcat.function.function_json.walk import data, declared_data, errors, parameters, runnables, subject_of, timed
 from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 
 
@@ -54,7 +46,7 @@ def _range(pointer: Pointer, item: Item) -> Problems:
         return
     values = (("InitValue", "init", item.init_value), ("Default", "default", item.default))
     for key, word, value in () if _has_elements(item) else values:
-        if value is not None and _is_outside(value, item.min, item.max):
+        if value is not None and is_outside(value, item.min, item.max):
             message = f"`{word}` of {item.name!r} must be {_words(item.min, item.max)}, not {value}."
             subject = Subject("data", path, ("default",))
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=subject)
@@ -66,22 +58,21 @@ def _has_elements(item: Item) -> bool:
 
 
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """Report an unknown replacement for values out of range."""
-    if _is_unknown(item.range_error_action, item):
-        what, fix = _REPLACEMENTS[item.range_error_action or ""]
-        message = f"{item.name!r} must have {what} to replace values out of range."
-        subject = Subject("data", item.vss_path or item.name, ("default",))
-        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "RangeErrorAction"), message, fix, subject)
+    """Report an unknown replacement for values out of range, and an unknown value after a time-out."""
+    for key, action, use in (
+        ("RangeErrorAction", item.range_error_action, "replace values out of range"),
+        ("TimeoutValue", item.timeout_value, "use after the time-out"),
+    ):
+        if _is_unknown(action, item):
+            what, fix = _REPLACEMENTS[action or ""]
+            message = f"{item.name!r} must have {what} to {use}."
+            subject = Subject("data", item.vss_path or item.name, ("default",))
+            fix = fix.format(f"{key[:1].lower()}{key[1:]}")
+            yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, key), message, fix, subject)
 
 
 def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """Report an unknown value after a time-out, and settings of a time-out that does not exist."""
-    if _is_unknown(item.timeout_value, item):
-        what, fix = _REPLACEMENTS[item.timeout_value or ""]
-        message = f"{item.name!r} must have {what} to use after the time-out."
-        subject = Subject("data", item.vss_path or item.name, ("default",))
-        fix = fix.replace("rangeErrorAction", "timeoutValue")
-        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "TimeoutValue"), message, fix, subject)
+    """Report a setting of a time-out that does not exist."""
     for key, value in (
         ("TimeoutStart", item.timeout_start),
         ("TimeoutValue", item.timeout_value),
@@ -90,14 +81,12 @@ def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
         if value is not None and item.timeout is None:
             message = f"{item.name!r} must have a timeout to have `{key[:1].lower()}{key[1:]}`."
             fix = "Give `timeout`, the longest time between two values in ms, or remove it."
-            yield Problem(
-                codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, key), message, fix, Subject("data", item.name)
-            )
+            yield Problem(codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, key), message, fix, subject_of(item))
             return
 
 
 _REPLACEMENTS = {
-    "Default": ("a default", "Give `default` in the catalogue, or write `rangeErrorAction: Init` and `init`."),
+    "Default": ("a default", "Give `default` in the catalogue, or write `{}: Init` and `init`."),
     "Init": ("a start value", "Give `init`."),
 }
 
@@ -140,13 +129,11 @@ def _queue(pointer: Pointer, item: DataQueue) -> Problems:
     at = (*pointer, "ValuesPerStep")
     if item.queue_length > QUEUE_LENGTH:
         message = f"The queue of {item.name!r} must hold at most {QUEUE_LENGTH:,} values, not {item.queue_length:,}."
-        yield Problem(
-            codes.QUEUE_UNFIT, (*pointer, "QueueLength"), message, "Shorten it: the core has a place for each.", subject
-        )
+        fix = "Shorten it: the core has a place for each."
+        yield Problem(codes.QUEUE_UNFIT, (*pointer, "QueueLength"), message, fix, subject)
     if count > item.queue_length:
-        message = (
-            f"{item.name!r} must take at most {item.queue_length} values at once, which its queue holds, not {count}."
-        )
+        most = item.queue_length
+        message = f"{item.name!r} must take at most {most} values at once, which its queue holds, not {count}."
         fix = "Lengthen the queue, or take fewer values."
         yield Problem(codes.QUEUE_UNFIT, at, message, fix, subject)
     if count > 1 and not (item.variable and item.count_variable):
@@ -171,23 +158,18 @@ def _keys(function: FunctionJson) -> Problems:
 
 def _identifiers(function: FunctionJson) -> Problems:
     """Report names that are not identifiers; a parameter's own name becomes one by itself."""
-    stated: list[tuple[Pointer, str, str | None, Subject | None]] = []
-    if function.code:
-        stated.append((("Code", "Storage"), "storage", function.code.storage, None))
+    yield from _identifier(("Code", "Storage"), function.code.storage if function.code else None, None)
     for pointer, _, item in parameters(function):
         subject = Subject("data", item.vss_path or item.name)
-        stated.append(((*pointer, "Key"), "key", item.key, subject))
-        stated.append(((*pointer, "Storage"), "storage", item.storage, subject))
-    for at, what, text, owner in stated:
-        if text is not None and not IDENTIFIER.fullmatch(text):
-            message = (
-                f"A {what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
-            )
-            yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
+        yield from _identifier((*pointer, "Key"), item.key, subject)
+        yield from _identifier((*pointer, "Storage"), item.storage, subject)
 
 
-def _is_outside(value: float, low: float | None, high: float | None) -> bool:
-    return (low is not None and value < low) or (high is not None and value > high)
+def _identifier(at: Pointer, text: str | None, owner: Subject | None) -> Problems:
+    if text is not None and not IDENTIFIER.fullmatch(text):
+        what = f"A {str(at[-1]).lower()}"
+        message = f"{what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
+        yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
 
 
 def _words(low: float | None, high: float | None) -> str:
@@ -228,9 +210,8 @@ def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, su
         fix = "Make it at least the cycle time. The call reads once in each cycle, so a shorter timeout always expires."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
     elif duration is not None and _is_only_trigger(item, runnable):
-        message = (
-            f"The timeout of {item.name!r} must be that of a call which runs without it; {runnable.name} waits for it."
-        )
+        what = f"The timeout of {item.name!r}"
+        message = f"{what} must be that of a call which runs without it; {runnable.name} waits for it."
         fix = "Have a cyclic call consume the signal with the timeout, or let another signal trigger this call too."
         yield Problem(codes.TIMEOUT_OF_ONLY_TRIGGER, (*pointer, "Timeout"), message, fix, subject)
     if item.timeout_error and duration is None and item.timeout is None:
@@ -253,12 +234,8 @@ def declared_or_meant(name: str, declared: Collection[str], known: Collection[st
 
 
 def _durations(function: FunctionJson) -> Problems:
-    for pointer, _, item in data(function):
+    for pointer, item in timed(function):
         yield from _duration((*pointer, "Timeout"), item.timeout)
-    for pointer, _, reaction in safety_reactions(function):
-        yield from _duration((*pointer, "Timeout"), reaction.timeout)
-    for pointer, _, method in methods(function):
-        yield from _duration((*pointer, "Timeout"), method.timeout)
     for pointer, _, runnable in runnables(function):
         yield from _duration((*pointer, "ExecOffset"), runnable.execution_offset)
         yield from _duration((*pointer, "DebounceDelay"), runnable.debounce_delay)

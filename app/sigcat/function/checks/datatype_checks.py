@@ -1,11 +1,11 @@
 """The datatypes of a document."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from sigcat import codes
 from sigcat.function.checks.circles import circles
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Problems
 from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.datatypes.primitive_types import integer_limits
 from sigcat.function.function_json.model import FunctionJson
@@ -13,7 +13,7 @@ from sigcat.function.function_json.walk import references
 from sigcat.names import did_you_mean
 
 
-def check_types(function: FunctionJson) -> Iterator[Problem]:
+def check_types(function: FunctionJson) -> Problems:
     """Every datatype that is referred to is defined, and has a different number for each of its names."""
     defined = dict.fromkeys(datatype.reference for datatype in function.datatypes)
     for pointer, reference in references(function):
@@ -26,7 +26,7 @@ def check_types(function: FunctionJson) -> Iterator[Problem]:
         yield from _numbers(datatype.symbols or (), integer_limits(datatype.c_definition), datatype.c_definition, at)
 
 
-def circular_types(datatypes: Sequence[Datatype], *, may_be_lists: bool = True) -> Iterator[Problem]:
+def circular_types(datatypes: Sequence[Datatype], *, may_be_lists: bool = True) -> Problems:
     """Yield a problem for each circle of datatypes, at its first one.
 
     A struct may hold a list of itself, unless `may_be_lists` is false: a core has no list of open length.
@@ -49,7 +49,7 @@ def _parts(datatype: Datatype, may_be_lists: bool) -> list[str]:
 
 def _numbers(
     symbols: Sequence[EnumerationValue], limits: tuple[int, int] | None, definition: str, at: Pointer
-) -> Iterator[Problem]:
+) -> Problems:
     names, numbers = set[str](), set[int]()
     for index, each in enumerate(symbols):
         if limits and not limits[0] <= each.value <= limits[1]:

@@ -7,14 +7,14 @@ from pydantic import BaseModel
 
 from sigcat import codes
 from sigcat.catalogue.model.interfaces import category_of, interface_name
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
 from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import declared_data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import declared_data, parameters, runnables, statuses
 
 
-def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterator[Problem]:
+def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Problems:
     """Interfaces and types that are defined and not used. `used` are the paths and names in use."""
     nodes = (*definitions.nodes, *definitions.types)
     mentioned = {*used, *(text for node in nodes for text in _texts(node.values))}
@@ -23,9 +23,8 @@ def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterato
         if _is_entry(node) and mentioned.isdisjoint((node.path, name)):
             message = f"{name!r} is defined, but nothing in the function refers to it."
             kind = category_of(node.path) or "data"
-            place = (
-                "under `runnables` of a component" if kind == "scheduling" else "where it is read, provided or reported"
-            )
+            is_call = kind == "scheduling"
+            place = "under `runnables` of a component" if is_call else "where it is read, provided or reported"
             fix = f"List it {place}, or remove the definition."
             yield Problem(codes.DEFINITION_UNUSED, node.at, message, fix, Subject(kind, node.path))
 
@@ -39,14 +38,9 @@ def _is_entry(node: DefinedNode) -> bool:
 
 def used_by(function: FunctionJson) -> Iterator[str]:
     """Paths and names of everything that a function refers to."""
-    for located in (
-        *declared_data(function),
-        *parameters(function),
-        *errors(function),
-        *safety_reactions(function),
-    ):
-        yield located[2].vss_path or ""
-        yield from _errors_referred_to(located[2])
+    for _, _, item in (*declared_data(function), *parameters(function), *statuses(function)):
+        yield item.vss_path or ""
+        yield from _errors_referred_to(item)
     for _, _, runnable in runnables(function):
         yield runnable.vss_path or ""
         yield from _errors_referred_to(runnable)

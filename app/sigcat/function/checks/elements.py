@@ -8,9 +8,10 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import holds, values_in_words
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.text import Text, json_of
 from sigcat.function.document.yaml_words import in_yaml
+from sigcat.function.function_json.conversion import is_outside
 from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
 from sigcat.function.function_json.datatypes.primitive_types import LARGEST_FLOAT, CType, c_type, integer_limits
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -18,7 +19,6 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import declared_data, parameters
 from sigcat.names import did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 Types = Mapping[str, Datatype]
 
@@ -61,8 +61,9 @@ def _is_text(datatype: Datatype | None) -> bool:
 
 
 def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
-    subject = Subject("data", item.vss_path or item.name, () if at[-1] == "InitElements" else ("default",))
-    what = "init" if at[-1] == "InitElements" else "default"
+    is_default = at[-1] == "DefaultElements"
+    subject = Subject("data", item.vss_path or item.name, ("default",) if is_default else ())
+    what, cause = ("default", subject) if is_default else ("init", None)  # a wrong default is one of the catalogue
     value = json_of(text)
     if value is None:
         message = f"`{at[-1]}` of {item.name!r} must be JSON, a list or an object."
@@ -70,9 +71,7 @@ def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
         return
     for misfit in islice(_misfits(value, item.datatype, _limits(item), types), _MOST):
         message = f"`{what}{_shown(misfit.at)}` of {item.name!r} must be {misfit.wanted}, not {in_yaml(misfit.given)}."
-        yield Problem(
-            codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=_cause(at, subject)
-        )
+        yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=cause)
 
 
 def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
@@ -83,9 +82,9 @@ def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
     is_float = datatype is not None and not limits.is_scaled and c_type(datatype.c_definition) == _FLOAT
     if item.init_elements is not None or not (integers or is_float):
         return
-    wanted = (
-        f"a whole number from {integers[0]} to {integers[1]}" if integers else f"one of the {values_in_words('float')}"
-    )
+    wanted = f"one of the {values_in_words('float')}"
+    if integers:
+        wanted = f"a whole number from {integers[0]} to {integers[1]}"
     for key, what, value in (("InitValue", "init", item.init_value), ("Default", "default", item.default)):
         is_held = _is_number(value, integers, limits) and (not is_float or holds("float", value))
         if value is not None and _is_number(value, None, limits) and not is_held:
@@ -100,11 +99,6 @@ def _limits(item: Item) -> _Limits:
     is_scaled = str(item.factor or 1) not in ("1", "1.0")
     is_open = isinstance(item, ParameterInterface) and item.min == item.max == 0
     return _Limits(None if is_open else item.min, None if is_open else item.max, is_scaled)
-
-
-def _cause(at: Pointer, subject: Subject) -> Subject | None:
-    """A default that is wrong is one of the catalogue, which says so itself."""
-    return subject if at[-1] == "DefaultElements" else None
 
 
 def _shown(at: Pointer) -> str:
@@ -171,7 +165,7 @@ def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) ->
         return False
     if integers is not None and not (value == int(value) and integers[0] <= value <= integers[1]):
         return False
-    return not ((limits.low is not None and value < limits.low) or (limits.high is not None and value > limits.high))
+    return not is_outside(value, limits.low, limits.high)
 
 
 def _integers(datatype: Datatype, limits: _Limits) -> tuple[int, int] | None:

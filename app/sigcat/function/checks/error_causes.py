@@ -6,18 +6,24 @@ from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
 from sigcat.function.function_json.datatypes.primitive_types import c_type
 from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import data, declared_data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import (
+    data,
+    declared_data,
+    errors,
+    modes,
+    parameters,
+    runnables,
+    statuses,
+    subject_of,
+)
 from sigcat.names import did_you_mean
-
-Problems = Iterator[Problem]
 
 RESTART = "Restart"
 
@@ -36,14 +42,12 @@ def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
     for pointer, _, item in (*declared_data(function), *parameters(function)):
         for each in errors_set_by(item):
             if each.field != "timeout_error":  # a separate rule has it
-                yield (*pointer, each.key), each.error, Subject("data", item.name)
+                yield (*pointer, each.key), each.error, subject_of(item)
     for pointer, _, call in runnables(function):
-        yield from (
-            ((*pointer, each.key), each.error, Subject("scheduling", call.name)) for each in errors_set_by(call)
-        )
-    for index, mode in enumerate(function.mode_interfaces or ()):
-        at = ("ModeInterfaceList", index)
-        yield from (((*at, each.key), each.error, Subject("mode", mode.name)) for each in errors_set_by(mode))
+        subject = Subject("scheduling", call.name)
+        yield from (((*pointer, each.key), each.error, subject) for each in errors_set_by(call))
+    for pointer, mode in modes(function):
+        yield from (((*pointer, each.key), each.error, subject_of(mode)) for each in errors_set_by(mode))
 
 
 def _undeclared(function: FunctionJson, known: Collection[str]) -> Problems:
@@ -65,10 +69,8 @@ def _never_set(function: FunctionJson) -> Problems:
         is_bounded = item.min is not None or item.max is not None or (kind is not None and kind.kind is not None)
         if item.range_error and not is_bounded:
             message = f"{item.name!r} must have a range to have a range error."
-            fix = "Give `min` and `max`, or remove `rangeError`."
-            yield Problem(
-                codes.RANGE_ERROR_WITHOUT_RANGE, (*pointer, "RangeError"), message, fix, Subject("data", item.name)
-            )
+            at, fix = (*pointer, "RangeError"), "Give `min` and `max`, or remove `rangeError`."
+            yield Problem(codes.RANGE_ERROR_WITHOUT_RANGE, at, message, fix, subject_of(item))
 
 
 def _never_found(function: FunctionJson) -> Problems:
@@ -78,8 +80,7 @@ def _never_found(function: FunctionJson) -> Problems:
             if item.role == PROVIDER and each.mark.is_of_consumer:
                 message = f"`{key_of(each.field)}` must be that of a consumed signal; {item.name!r} is provided."
                 fix = "Remove it: the calls that consume the signal check its messages."
-                subject = Subject("data", item.name)
-                yield Problem(codes.E2E_ERROR_OF_PROVIDED, (*pointer, each.key), message, fix, subject)
+                yield Problem(codes.E2E_ERROR_OF_PROVIDED, (*pointer, each.key), message, fix, subject_of(item))
 
 
 # -- resets -------------------------------------------------------------------------------------------------------
@@ -94,10 +95,8 @@ def _resets(function: FunctionJson) -> Problems:
         subject, signal = Subject("error", error.name), consumed.get(error.reset)
         if signal is None:
             message = f"`reset` of {error.name} must be a signal that the function consumes, or `restart`, not {error.reset!r}."
-            fix = (
-                did_you_mean(error.reset, (*consumed, "restart"))
-                or "List the signal under the data of a call, as consumed."
-            )
+            meant = did_you_mean(error.reset, (*consumed, "restart"))
+            fix = meant or "List the signal under the data of a call, as consumed."
             yield Problem(codes.RESET_UNKNOWN, (*pointer, "Reset"), message, fix, subject)
         elif not _is_condition(signal, types):
             message = (
@@ -114,26 +113,19 @@ def _is_condition(signal: Signal | DataQueue, types: dict[str, Datatype]) -> boo
 
 # -- the same one at several calls --------------------------------------------------------------------------------
 
-_OF_ERRORS = ("variable", "status_variable", "defined_by", "reset", "occurrence_count_limit", "ignition_count_limit")
-_OF_REACTIONS = ("variable", "defined_by", "initial", "timeout")
+_COMPARED = {
+    "error": ("variable", "status_variable", "defined_by", "reset", "occurrence_count_limit", "ignition_count_limit"),
+    "safety_reaction": ("variable", "defined_by", "initial", "timeout"),
+}
 
 
 def _listed_differently(function: FunctionJson) -> Problems:
     """An error is one, whichever calls list it, and so is a reaction."""
     first: dict[str, tuple[object, ...]] = {}
-    listed: list[tuple[Pointer, ErrorInterface | SafetyReaction, tuple[object, ...], Subject]] = [
-        (pointer, each, _values(each, _OF_ERRORS), Subject("error", each.name)) for pointer, _, each in errors(function)
-    ]
-    listed += [
-        (pointer, each, _values(each, _OF_REACTIONS), Subject("safety_reaction", each.name))
-        for pointer, _, each in safety_reactions(function)
-    ]
-    for pointer, each, values, subject in listed:
+    for pointer, _, each in statuses(function):
+        subject = subject_of(each)
+        values = tuple(getattr(each, field) for field in _COMPARED[subject.kind])
         if any(values) and first.setdefault(each.name, values) != values:
             message = f"{each.name} must be described alike at every call that lists it."
             fix = "Describe it at one call, and list its name alone at the others."
             yield Problem(codes.LISTED_DIFFERENTLY, pointer, message, fix, subject)
-
-
-def _values(each: ErrorInterface | SafetyReaction, fields: tuple[str, ...]) -> tuple[object, ...]:
-    return tuple(getattr(each, field) for field in fields)

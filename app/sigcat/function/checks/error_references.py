@@ -1,16 +1,14 @@
 """References between errors, and from safety reactions to errors."""
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.checks.circles import Circle, circles
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import contracts, errors
+from sigcat.function.function_json.walk import errors, safety_reactions
 from sigcat.names import did_you_mean
-
-Problems = Iterator[Problem]
 
 _MOST_NAMED = 3
 """Members of a circle that a message names."""
@@ -37,17 +35,13 @@ def check_error_references(function: FunctionJson, known_errors: KnownErrors) ->
 
 
 def _of_reactions(function: FunctionJson, names: Collection[str], known: KnownErrors) -> Problems:
-    for pointer, _, contract in contracts(function):
-        for i, reaction in enumerate(contract.safety_reactions or ()):
-            for j, name in enumerate(reaction.errors):
-                if _is_undeclared(name, names, known, function):
-                    message = f"{reaction.name} must react to an error that {_condition(name, known)}, not to {name!r}."
-                    at = (*pointer, "SafetyReactionList", i, "ErrorList", j)
-                    subject = Subject("safety_reaction", reaction.name, ("errorList",))
-                    fix = _fix(name, names, known)
-                    yield Problem(
-                        codes.REACTION_TO_UNKNOWN_ERROR, at, message, fix, subject, cause=Subject("error", name)
-                    )
+    for pointer, _, reaction in safety_reactions(function):
+        for j, name in enumerate(reaction.errors):
+            if _is_undeclared(name, names, known, function):
+                message = f"{reaction.name} must react to an error that {_condition(name, known)}, not to {name!r}."
+                subject = Subject("safety_reaction", reaction.name, ("errorList",))
+                at, fix, cause = (*pointer, "ErrorList", j), _fix(name, names, known), Subject("error", name)
+                yield Problem(codes.REACTION_TO_UNKNOWN_ERROR, at, message, fix, subject, cause)
 
 
 def _of_errors(function: FunctionJson, names: Collection[str], known: KnownErrors) -> Problems:

@@ -1,19 +1,17 @@
 """Modes of a function: those that its mode interfaces know, each with the calls that can run in it."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
 from sigcat import codes
 from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.datatypes.primitive_types import integer_limits
 from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.model import FunctionJson, Mode
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.walk import Located, runnables, safety_reactions
+from sigcat.function.function_json.walk import Located, modes, runnables, safety_reactions, subject_of
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 _OUTSIDE_MODES = frozenset(("Init", "Shutdown"))
 """Run types of calls that are made before the first mode and after the last one."""
@@ -43,11 +41,8 @@ def _unknown_calls(function: FunctionJson, calls: Collection[str]) -> Problems:
         for j, name in enumerate(mode.runnables):
             if name not in calls:
                 message = f"Mode {mode.name!r} must run calls of the function, not {name!r}, which does not exist."
-                at, fix = (
-                    ("ModesList", i, "RunnablesList", j),
-                    did_you_mean(name, calls) or did_you_mean(name, last_names),
-                )
-                cause = Subject("scheduling", name)
+                fix = did_you_mean(name, calls) or did_you_mean(name, last_names)
+                at, cause = ("ModesList", i, "RunnablesList", j), Subject("scheduling", name)
                 yield Problem(codes.MODE_RUNS_UNKNOWN_CALL, at, message, fix, subject, cause)
 
 
@@ -56,28 +51,24 @@ def _names(function: FunctionJson) -> Problems:
     for i, mode in enumerate(function.modes or ()):
         if allowed and mode.name not in allowed:
             message = f"The mode must be one that the mode interfaces allow, not {mode.name!r}."
-            fix, subject = (
-                did_you_mean(mode.name, allowed) or f"Use one of {', '.join(allowed)}.",
-                Subject("mode", mode.name),
-            )
-            yield Problem(codes.MODE_NOT_IN_INTERFACE, ("ModesList", i, "Name"), message, fix, subject)
+            at, subject = ("ModesList", i, "Name"), Subject("mode", mode.name)
+            fix = did_you_mean(mode.name, allowed) or f"Use one of {', '.join(allowed)}."
+            yield Problem(codes.MODE_NOT_IN_INTERFACE, at, message, fix, subject)
 
 
 def _initial(function: FunctionJson) -> Problems:
     """Report initial modes, and initial values of safety reactions, that are not allowed."""
-    for index, mode in enumerate(function.mode_interfaces or ()):
+    for pointer, mode in modes(function):
         if mode.initial is not None and mode.initial not in mode.modes:
-            subject = Subject("mode", mode.name)
-            yield _not_allowed(
-                "The initial mode", mode.initial, mode.modes, ("ModeInterfaceList", index, "Initial"), subject
-            )
+            at = (*pointer, "Initial")
+            yield _not_allowed("The initial mode", mode.initial, mode.modes, at, subject_of(mode))
     types = {datatype.reference: datatype for datatype in function.datatypes}
     for pointer, _, reaction in safety_reactions(function):
         datatype = types.get(reaction.datatype)
         allowed = [each.symbol for each in (datatype.symbols or ())] if datatype else []
         if reaction.initial is not None and allowed and reaction.initial not in allowed:
-            what, subject = f"`initial` of {reaction.name}", Subject("safety_reaction", reaction.name)
-            yield _not_allowed(what, reaction.initial, allowed, (*pointer, "Initial"), subject)
+            what, at = f"`initial` of {reaction.name}", (*pointer, "Initial")
+            yield _not_allowed(what, reaction.initial, allowed, at, subject_of(reaction))
 
 
 def _not_allowed(what: str, word: str, allowed: Sequence[str], at: Pointer, subject: Subject) -> Problem:
@@ -126,10 +117,8 @@ def _values(function: FunctionJson) -> Problems:
                 fix = "Give another number, or the variable's type as `cType`."
                 yield Problem(codes.ENUMERATION_MISCODED, (*at, position, "Value"), message, fix, subject)
         if len(set(numbers.values())) < len(mode.values):
-            fix = "Give each mode its own number."
-            yield Problem(
-                codes.ENUMERATION_MISCODED, at, f"Two modes of {mode.name} have the same number.", fix, subject
-            )
+            message, fix = f"Two modes of {mode.name} have the same number.", "Give each mode its own number."
+            yield Problem(codes.ENUMERATION_MISCODED, at, message, fix, subject)
 
 
 _WIDEST = -(2**63) + 1, 2**63 - 1
@@ -170,14 +159,13 @@ def _evaluated(call: Runnable) -> Collection[str]:
 
 def _without_entry(function: FunctionJson) -> Problems:
     """Modes that the function can be asked to take, and of which it does not say what runs in them."""
-    modes = function.modes or ()
+    listed = {mode.name for mode in function.modes or ()}
     interfaces = function.mode_interfaces or ()
     asked = [each for each in interfaces if each.direction == "In"] or interfaces
     allowed = dict.fromkeys(mode for interface in asked for mode in interface.modes)
-    listed = {mode.name for mode in modes}
     lacking = [mode for mode in allowed if mode not in listed]
     if lacking and listed <= allowed.keys():  # otherwise a mode may only be misspelled
-        at = ("ModesList",) if modes else ("ModeInterfaceList", 0)
+        at = ("ModesList",) if function.modes else ("ModeInterfaceList", 0)
         message = f"Every mode must say which calls run in it; {either(map(repr, lacking))} does not."
         fix = "List it under `active`, with no calls if none runs in it."
         yield Problem(codes.MODE_WITHOUT_ENTRY, at, message, fix, Subject("mode", lacking[0]))

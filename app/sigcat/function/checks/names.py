@@ -1,28 +1,27 @@
 """Names of a function and its parts: each once, and as conventions have it."""
 
 import re
-from collections.abc import Iterable, Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.field_types import C_EXPRESSION
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import (
-    contracts,
     declared_data,
     errors,
     methods,
+    modes,
     parameters,
     runnables,
     safety_reactions,
+    subject_of,
 )
 from sigcat.names import camel_case, either
-
-Problems = Iterator[Problem]
 
 _CAMEL = re.compile(r"[A-Z][A-Za-z0-9]*")
 
@@ -100,21 +99,13 @@ def _variables_twice(function: FunctionJson) -> Problems:
 
 
 def _calls_twice(function: FunctionJson) -> Problems:
-    named = [((*pointer, "Name"), runnable.name) for pointer, _, runnable in runnables(function)]
-    for pointer, name, first in _repeated(named):
-        fix = "Remove one, or name it otherwise."
-        subject = Subject("scheduling", name)
-        message = f"The call {name!r} is listed twice."
-        yield Problem(codes.CALL_LISTED_TWICE, pointer, message, fix, subject, first=first)
-
-
-def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str, Pointer]]:
-    """Names that were there before, with their first places."""
     seen: dict[str, Pointer] = {}
-    for pointer, name in named:
-        first = seen.setdefault(name, pointer)
-        if first != pointer:
-            yield pointer, name, first
+    for pointer, _, runnable in runnables(function):
+        name, at = runnable.name, (*pointer, "Name")
+        first = seen.setdefault(name, at)
+        if first != at:
+            message, fix = f"The call {name!r} is listed twice.", "Remove one, or name it otherwise."
+            yield Problem(codes.CALL_LISTED_TWICE, at, message, fix, Subject("scheduling", name), first=first)
 
 
 # -- conventions --------------------------------------------------------------------------------------------------
@@ -127,28 +118,25 @@ def _conventional_names(function: FunctionJson) -> Problems:
             message = f"The name of the call {runnable.name!r} must start with '{own}_'."
             fix = f"Name it {own}_Init, {own}_Step or {own}_Terminate."
             yield Problem(codes.INTERFACE_NAME_UNCONVENTIONAL, (*pointer, "Name"), message, fix)
-    for pointer, _, contract in contracts(function):
-        for i, error in enumerate(contract.errors or ()):
-            if not (error.name.startswith(f"{own}_") and error.name.endswith("_ErrorSts")):
-                subject = Subject("error", error.name)
-                yield _unconventional((*pointer, "ErrorList", i), f"{own}_<ErrorName>_ErrorSts", subject)
-        for i, reaction in enumerate(contract.safety_reactions or ()):
-            if not reaction.name.endswith("_SftyCondSts"):
-                subject = Subject("safety_reaction", reaction.name)
-                yield _unconventional((*pointer, "SafetyReactionList", i), "<SafetyCondition>_SftyCondSts", subject)
+    for pointer, _, error in errors(function):
+        if not (error.name.startswith(f"{own}_") and error.name.endswith("_ErrorSts")):
+            yield _unconventional(pointer, f"{own}_<ErrorName>_ErrorSts", error)
+    for pointer, _, reaction in safety_reactions(function):
+        if not reaction.name.endswith("_SftyCondSts"):
+            yield _unconventional(pointer, "<SafetyCondition>_SftyCondSts", reaction)
 
 
-def _unconventional(pointer: Pointer, form: str, subject: Subject) -> Problem:
-    message = f"The interface name must be {form}, not {subject.name!r}."
-    return Problem(codes.INTERFACE_NAME_UNCONVENTIONAL, (*pointer, "Name"), message, subject=subject)
+def _unconventional(pointer: Pointer, form: str, item: ErrorInterface | SafetyReaction | ModeInterface) -> Problem:
+    message = f"The interface name must be {form}, not {item.name!r}."
+    return Problem(codes.INTERFACE_NAME_UNCONVENTIONAL, (*pointer, "Name"), message, subject=subject_of(item))
 
 
 def _mode_names(function: FunctionJson) -> Problems:
     own = function.info.function_name
     allowed = (f"{own}_Mode_In", f"{own}_Mode_Out")
-    for i, interface in enumerate(function.mode_interfaces or ()):
+    for pointer, interface in modes(function):
         if interface.name not in allowed:
-            yield _unconventional(("ModeInterfaceList", i), either(allowed), Subject("mode", interface.name))
+            yield _unconventional(pointer, either(allowed), interface)
 
 
 def _function_name(function: FunctionJson) -> Problems:
@@ -176,7 +164,6 @@ def _expressions(function: FunctionJson) -> Problems:
         if not may_hold_value(each.expression):
             key = str(each.pointer[-1])
             fix = C_EXPRESSION.fix
-            message = (
-                f"`{key[:1].lower()}{key[1:]}` must be an expression of C that holds a value, not {each.expression!r}."
-            )
+            written = f"`{key[:1].lower()}{key[1:]}`"
+            message = f"{written} must be an expression of C that holds a value, not {each.expression!r}."
             yield Problem(codes.VARIABLE_NO_EXPRESSION, each.pointer, message, fix, each.place.subject)

@@ -1,12 +1,11 @@
 """Strings of a function that the types of their fields refuse: what generators would refuse is found here."""
 
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.field_types import C_EXPRESSION, VSS_PATH
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Problems
 from sigcat.function.document.unfit_texts import Unfit, titled, unfit_texts
 from sigcat.function.function_json.datatypes.datatype import innermost
 from sigcat.function.function_json.model import FunctionJson
@@ -14,7 +13,7 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.walk import data, parameters
 
 
-def check_texts(function: FunctionJson, origin: Origin | None = None) -> Iterator[Problem]:
+def check_texts(function: FunctionJson, origin: Origin | None = None) -> Problems:
     """Every string that is not of the type of its field, which is called as it is in the declaration at `origin`."""
 
     def written(pointer: Pointer) -> Pointer | None:

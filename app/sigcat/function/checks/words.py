@@ -1,11 +1,9 @@
 """Words of Function JSON that say what an adapter does: one of a few, spelled as here."""
 
-from collections.abc import Iterator, Mapping
-
-from pydantic import BaseModel
+from collections.abc import Mapping
 
 from sigcat import codes
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Problems
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import parts
 from sigcat.names import did_you_mean, either
@@ -22,16 +20,13 @@ WORDS: Mapping[str, tuple[str, ...]] = {
 """Fields of any model, with the words that they may have."""
 
 
-def check_words(function: FunctionJson) -> Iterator[Problem]:
+def check_words(function: FunctionJson) -> Problems:
     """Every word that is none of those that are known."""
     for pointer, part in parts(function):
         for field, known in WORDS.items():
-            word = _word_of_field(part, field)
-            if word is not None and word not in known:
-                key = type(part).model_fields[field].alias or field
+            info = type(part).model_fields.get(field)
+            word = getattr(part, field) if info else None
+            if info and word is not None and word not in known:
+                key = info.alias or field
                 message = f"`{key}` must be {either(known)}, not {word!r}."
                 yield Problem(codes.ADAPTER_WORD_UNKNOWN, (*pointer, key), message, did_you_mean(word, known))
-
-
-def _word_of_field(part: BaseModel, field: str) -> str | None:
-    return getattr(part, field) if field in type(part).model_fields else None

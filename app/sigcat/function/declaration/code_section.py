@@ -4,7 +4,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.declaration.form import DeclarationModel, Text, possible, required
 from sigcat.function.function_json.wire import Integer
 
 DefinedBy = Literal["function", "adapter"]
@@ -14,23 +14,22 @@ DEFINED_BY = "Whose code defines the variable; the function's if absent. An adap
 class ObjectItem(DeclarationModel):
     """An object that calls take a pointer to, or with which expressions begin."""
 
-    name: Text = Field(description="Name of the object, with which the expressions of its members begin.")
-    type: Text = Field(description="Type in C, such as ExtU_EcoControlMpc_T.")
-    length: Integer | None = Field(
-        None, description="Elements of an array, as in `extern Bus B[4]`; of variables that the adapter defines."
+    name: Text = required("Name of the object, with which the expressions of its members begin.")
+    type: Text = required("Type in C, such as ExtU_EcoControlMpc_T.")
+    length: Integer | None = possible(
+        "Elements of an array, as in `extern Bus B[4]`; of variables that the adapter defines."
     )
-    member: Text | None = Field(
-        None,
-        description="Member of the first object that is set to point to it, as Simulink has `model.inputs = &inputs`.",
+    member: Text | None = possible(
+        "Member of the first object that is set to point to it, as Simulink has `model.inputs = &inputs`."
     )
-    defined_by: DefinedBy | None = Field(None, description=f"{DEFINED_BY} With pointers always the adapter.")
+    defined_by: DefinedBy | None = possible(f"{DEFINED_BY} With pointers always the adapter.")
 
 
 class CodeSection(DeclarationModel):
     """Compilation and calls of the function's code."""
 
-    signature: Literal["globals", "pointers", "class"] = Field(
-        description="How calls take their data: over global variables, over pointers to objects that the adapter holds for "
+    signature: Literal["globals", "pointers", "class"] = required(
+        "How calls take their data: over global variables, over pointers to objects that the adapter holds for "
         "each instance, or as members of a C++ class."
     )
     sources: list[Text] = Field([], description="Files to compile, relative to this file.")
@@ -39,10 +38,8 @@ class CodeSection(DeclarationModel):
     definitions: dict[str, str | Integer | None] = Field(
         {}, description="Definitions of the preprocessor, with their values; null for one without."
     )
-    class_name: Text | None = Field(None, alias="class", description="Name of the C++ class, with its namespaces.")
-    storage: Text | None = Field(
-        None, description="Key-value storage of the parameters that name none; `Parameters` if absent."
-    )
+    class_name: Text | None = possible("Name of the C++ class, with its namespaces.", alias="class")
+    storage: Text | None = possible("Key-value storage of the parameters that name none; `Parameters` if absent.")
     accessors: list[Text] = Field(
         [],
         description="Functions of C that variables may call, as `read_speed(1)`, with names and numbers as arguments.",
@@ -53,6 +50,6 @@ class CodeSection(DeclarationModel):
 class CheckpointItem(DeclarationModel):
     """The place of a call in the graph of the logical supervision."""
 
-    initial: bool | None = Field(None, description="Whether a sequence begins with the call.")
-    final: bool | None = Field(None, description="Whether a sequence may end with the call.")
+    initial: bool | None = possible("Whether a sequence begins with the call.")
+    final: bool | None = possible("Whether a sequence may end with the call.")
     next: list[Text] = Field([], description="Calls that may follow: interface names, paths or last names.")

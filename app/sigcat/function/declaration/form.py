@@ -1,6 +1,6 @@
 """Common form of the parts of `function.yaml`: spelling of keys, and kinds of values."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -13,6 +13,16 @@ Asil = Level
 Text = Free
 Natural = Annotated[Integer, Field(ge=0)]
 Duration = Annotated[Number, Field(ge=0)]
+
+
+def required(description: str, **more: Any) -> Any:
+    """A key that has to be there."""
+    return Field(description=description, **more)
+
+
+def possible(description: str, **more: Any) -> Any:
+    """A key that may be left out, and has no default."""
+    return Field(None, description=description, **more)
 
 
 def key_of(name: str) -> str:

@@ -35,8 +35,7 @@ class Document(NamedTuple):
         """Whether there is a value at a pointer."""
         value = self.value
         for part in pointer:
-            is_key = isinstance(value, dict) and part in value
-            if not is_key and not (isinstance(value, list) and isinstance(part, int) and part < len(value)):
+            if not has_part(value, part):
                 return False
             value = value[part]
         return True
@@ -50,6 +49,13 @@ class Document(NamedTuple):
         if first is not None:
             message = f"{message.removesuffix('.')}, {first_at(self.name, self.position(first).line)}."
         return rule.finding(message, self.name, line, column, path, pointer_text(pointer), fix)
+
+
+def has_part(value: Any, part: str | int) -> bool:
+    """Whether a value is a mapping with a key, or a list with an index."""
+    if isinstance(value, dict):
+        return part in value
+    return isinstance(value, list) and isinstance(part, int) and part < len(value)
 
 
 def pointer_text(pointer: Pointer) -> str:

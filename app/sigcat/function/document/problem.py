@@ -1,5 +1,6 @@
 """A problem of a function, before it is a finding: its subject, and the problems that cause it."""
 
+from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from sigcat.catalogue.model.interfaces import Category
@@ -40,3 +41,6 @@ class Problem(NamedTuple):
     def path(self) -> str:
         """Name or path of the subject, as findings have it."""
         return self.subject.name if self.subject else ""
+
+
+Problems = Iterator[Problem]

@@ -15,7 +15,7 @@ from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.reading.yaml_scalars import number_advice
 from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
-from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.document import Document, Pointer, has_part
 from sigcat.function.document.field_types import C_VARIABLE_TYPE
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.limits import FUNCTION_PROBLEMS
@@ -140,15 +140,13 @@ def _finding(
     if key == "[key]" and isinstance(error["input"], str):
         return _bad_name(str(error["input"]), pointer, document)
     if kind == "too_short" and isinstance(error["input"], list):
-        message = f"{_place_in_words(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
+        least, count = error["ctx"]["min_length"], len(error["input"])
+        items = f"{least} item" if least == 1 else f"{least} items"
+        message = f"{_place_in_words(pointer)} must have at least {items}, and has {count}."
         return document.finding(codes.VALUE_UNFIT, pointer, message)
     named = "A key" if key == "[key]" or kind == _BAD_KEY else _place_in_words(pointer)
     message = f"{named} must {_wanted(kind, error)}, not {_shown(error['input'])}."
     return document.finding(codes.VALUE_UNFIT, pointer, message, _advice(kind, error))
-
-
-def _items(count: int) -> str:
-    return f"{count} item" if count == 1 else f"{count} items"
 
 
 def _first_there(pointer: Pointer, error: Any, document: Document) -> Pointer:
@@ -182,11 +180,12 @@ def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
 def _advice(kind: str, error: Any) -> str:
     """The fix for a value of a wrong kind."""
     given = error["input"]
-    if kind in ("string_type", _BAD_KEY) or _is_unquoted_word(kind, error):
+    allowed = _QUOTED.findall(error["ctx"]["expected"]) if kind == "literal_error" else []
+    if kind in ("string_type", _BAD_KEY) or _is_unquoted_word(given, allowed):
         return _unquoted(given)
     if kind in _NUMBERS and isinstance(given, str):
         return number_advice(given, is_whole=kind != "number_type")
-    return _word_meant(kind, error)
+    return _word_meant(given, allowed) if isinstance(given, str) and allowed else ""
 
 
 def _unquoted(value: Any) -> str:
@@ -196,22 +195,15 @@ def _unquoted(value: Any) -> str:
     return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
 
 
-def _is_unquoted_word(kind: str, error: Any) -> bool:
+def _is_unquoted_word(given: Any, allowed: Sequence[str]) -> bool:
     """Whether an allowed word was written that YAML reads as a number, or one that it reads as true or false."""
-    given = error["input"]
-    if kind != "literal_error" or isinstance(given, str):
-        return False
-    allowed = _QUOTED.findall(error["ctx"]["expected"])
-    is_word = any(word.lower() in _READ_AS_TRUTH for word in allowed)
-    return is_word if isinstance(given, bool) else str(given) in allowed
+    if isinstance(given, bool):
+        return any(word.lower() in _READ_AS_TRUTH for word in allowed)
+    return not isinstance(given, str) and str(given) in allowed
 
 
-def _word_meant(kind: str, error: Any) -> str:
+def _word_meant(given: str, allowed: Sequence[str]) -> str:
     """Advice for a word that is close to an allowed one: `ASIL B`, `Consumed`."""
-    given = error["input"]
-    if kind != "literal_error" or not isinstance(given, str):
-        return ""
-    allowed = _QUOTED.findall(error["ctx"]["expected"])
     same = [word for word in allowed if word.lower() == given.lower() or word == level_of(given)]
     return f"Write {same[0]}." if same else did_you_mean(given, allowed)
 
@@ -238,17 +230,12 @@ def _existing(location: Pointer, value: Any) -> Pointer:
     """
     pointer: list[str | int] = []
     for part in location:
-        is_here = part in value if isinstance(value, dict) else _is_index(part, value)
-        if is_here:
+        if has_part(value, part):
             value = value[part]
             pointer.append(part)
         elif not isinstance(value, dict):
             break
     return tuple(pointer)
-
-
-def _is_index(part: str | int, value: Any) -> bool:
-    return isinstance(value, list) and isinstance(part, int) and part < len(value)
 
 
 def _keys_beside(location: Pointer, model: type[BaseModel]) -> list[str]:

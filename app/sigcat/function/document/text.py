@@ -1,8 +1,10 @@
 """Free text of documents: descriptions, names of people and organizations, conditions that people read."""
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
+from operator import attrgetter
 from typing import Annotated, Any, NoReturn, final
 
 from pydantic import BeforeValidator, GetCoreSchemaHandler, PlainSerializer, ValidatorFunctionWrapHandler
@@ -42,24 +44,23 @@ class Text:
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: type, handler: GetCoreSchemaHandler) -> CoreSchema:
-        serialized = plain_serializer_function_ser_schema(_raw, return_schema=str_schema())
+        serialized = plain_serializer_function_ser_schema(attrgetter("raw"), return_schema=str_schema())
         return no_info_wrap_validator_function(_validated, str_schema(), serialization=serialized)
 
 
 def _with_texts(value: Any) -> Any:
-    if isinstance(value, str):
-        return Text(value)
-    if isinstance(value, dict):
-        return {key: _with_texts(each) for key, each in value.items()}
-    return [_with_texts(each) for each in value] if isinstance(value, list | tuple) else value
+    return _changed(value, lambda each: Text(each) if isinstance(each, str) else each)
 
 
 def _with_strings(value: Any) -> Any:
-    if isinstance(value, Text):
-        return value.raw
+    return _changed(value, lambda each: each.raw if isinstance(each, Text) else each)
+
+
+def _changed(value: Any, change: Callable[[Any], Any]) -> Any:
+    """A value whose innermost values are changed."""
     if isinstance(value, dict):
-        return {key: _with_strings(each) for key, each in value.items()}
-    return [_with_strings(each) for each in value] if isinstance(value, list | tuple) else value
+        return {key: _changed(each, change) for key, each in value.items()}
+    return [_changed(each, change) for each in value] if isinstance(value, list | tuple) else change(value)
 
 
 AnyValue = Annotated[Any, FREE, BeforeValidator(_with_texts), PlainSerializer(_with_strings)]
@@ -92,7 +93,3 @@ def sentence(*parts: Text | str | None) -> Text:
 
 def _validated(value: Any, validate: ValidatorFunctionWrapHandler) -> Text:
     return value if isinstance(value, Text) else Text(validate(value))
-
-
-def _raw(text: Text) -> str:
-    return text.raw

@@ -9,14 +9,13 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.declaration.declaration import Declaration
 from sigcat.function.declaration.define_section import (
     CallDefinition,
-    DataDefinition,
     DefineSection,
     ErrorDefinition,
-    LeafDefinition,
     ModesDefinition,
     ReactionDefinition,
     StructDefinition,
 )
+from sigcat.function.declaration.form import DeclarationModel, key_of
 from sigcat.function.document.document import Pointer
 
 ERROR_STATES = {"PASSED": 0, "FAILED": 1}
@@ -126,18 +125,19 @@ def _above(path: str) -> Iterator[str]:
 # -- nodes --------------------------------------------------------------------------------------------------------
 
 _SPELLED = {"ASILlevel": "asil"}
+_ATTRIBUTES = {key: attribute for attribute, key in _SPELLED.items()}
 
 
 def _data(define: DefineSection) -> Iterator[DefinedNode]:
     for path, item in define.data.items():
-        yield DefinedNode(path, {"type": item.type, **_leaf(item)}, ("define", "data", path), _SPELLED)
+        yield DefinedNode(path, _attributes(item), ("define", "data", path), _SPELLED)
 
 
 def _interfaces(declaration: Declaration, define: DefineSection) -> Iterator[DefinedNode]:
     own = f".Function.{declaration.function}"
     names = _Names(declaration.function, define)
     for name, parameter in define.parameters.items():
-        values = {"type": "attribute", **_leaf(parameter)}
+        values = _attributes(parameter, type="attribute")
         yield DefinedNode(f"{own}.Parameter.{name}", values, ("define", "parameters", name), _SPELLED)
     for name, error in define.errors.items():
         yield DefinedNode(f"{own}.Error.{name}", _error(error, names), ("define", "errors", name), _SPELLED)
@@ -161,7 +161,7 @@ def _modes(own: str, modes: ModesDefinition | None) -> Iterator[DefinedNode]:
 def _struct(path: str, struct: StructDefinition, at: Pointer) -> Iterator[DefinedNode]:
     yield DefinedNode(path, {"type": "struct", "description": struct.description}, at)
     for name, field in struct.fields.items():
-        yield DefinedNode(f"{path}.{name}", {"type": "property", **_leaf(field)}, (*at, "fields", name), _SPELLED)
+        yield DefinedNode(f"{path}.{name}", _attributes(field, type="property"), (*at, "fields", name), _SPELLED)
 
 
 class _Names(NamedTuple):
@@ -179,47 +179,29 @@ class _Names(NamedTuple):
         return f"{self.function}_{name}" if name in self.define.scheduling else name
 
 
-def _leaf(item: LeafDefinition | DataDefinition) -> dict[str, Any]:
-    return _without_absent(
-        datatype=item.datatype,
-        arraysize=item.arraysize,
-        allowed=item.allowed,
-        enum=item.enum,
-        unit=item.unit,
-        min=item.min,
-        max=item.max,
-        default=item.default,
-        resolution=item.resolution,
-        ASILlevel=item.asil,
-        description=item.description,
-        comment=item.comment,
-    )
+_OF_CALLS = ("runType", "cycleTime", "executionOffset", "priority", "scheduling", "debounceTime", "previousRunnable")
+_OF_VALUES = ("datatype", "arraysize", "allowed", "enum", "unit", "min", "max", "default", "resolution")
+_OF_STATUSES = ("maturationTime", "severity", "resetTime", "resetCondition", "dependency", "errorList")
+_OF_SUPERVISION = ("supervisionType", "aliveSupervision", "deadlineSupervision", "logicalSupervision", "stackSize")
+_ORDER = ("type", *_OF_CALLS, *_OF_VALUES, *_OF_STATUSES, "ASILlevel", *_OF_SUPERVISION, "description", "comment")
+"""Attributes in the order in which overlays have them."""
+
+
+def _attributes(item: DeclarationModel, **others: Any) -> dict[str, Any]:
+    """The attributes of a definition that have a value; `others` are those that are not as the author wrote them."""
+    own = {_ATTRIBUTES.get(field, key_of(field)): getattr(item, field) for field in type(item).model_fields}
+    given = {**own, **others}
+    return {name: given[name] for name in _ORDER if given.get(name) is not None}
 
 
 def _error(item: ErrorDefinition, names: _Names) -> dict[str, Any]:
-    return _without_absent(
-        type="sensor",
-        datatype=item.datatype,
-        enum=item.enum or ERROR_STATES,
-        maturationTime=item.maturation_time,
-        severity=item.severity,
-        resetTime=item.reset_time,
-        resetCondition=item.reset_condition,
-        dependency=[names.error(name) for name in item.dependency] or None,
-        ASILlevel=item.asil,
-        description=item.description,
-    )
+    dependency = [names.error(name) for name in item.dependency] or None
+    return _attributes(item, type="sensor", enum=item.enum or ERROR_STATES, dependency=dependency)
 
 
 def _reaction(item: ReactionDefinition, names: _Names) -> dict[str, Any]:
-    return _without_absent(
-        type="sensor",
-        datatype=item.datatype,
-        enum=item.enum or CONDITION_STATES,
-        errorList=[names.error(name) for name in item.error_list] or None,
-        ASILlevel=item.asil,
-        description=item.description,
-    )
+    errors = [names.error(name) for name in item.error_list] or None
+    return _attributes(item, type="sensor", enum=item.enum or CONDITION_STATES, errorList=errors)
 
 
 def _call(name: str, item: CallDefinition, names: _Names) -> dict[str, Any]:
@@ -230,22 +212,13 @@ def _call(name: str, item: CallDefinition, names: _Names) -> dict[str, Any]:
     }
     kinds = [kind for kind, limits in supervised.items() if limits]
     is_step = name not in _RUN_TYPES
-    return _without_absent(
+    return _attributes(
+        item,
         type="branch",
         runType=item.run_type or _RUN_TYPES.get(name, "Cyclic"),
-        cycleTime=item.cycle_time,
-        executionOffset=item.execution_offset,
-        priority=item.priority,
-        scheduling=item.scheduling,
-        debounceTime=item.debounce_time,
         previousRunnable=names.call(item.previous_runnable) if item.previous_runnable else None,
-        ASILlevel=item.asil,
         supervisionType=(kinds or "None") if kinds or is_step else None,
-        aliveSupervision=supervised["Alive"],
-        deadlineSupervision=supervised["Deadline"],
-        logicalSupervision=supervised["Logical"],
-        stackSize=item.stack_size,
-        description=item.description,
+        **{f"{kind.lower()}Supervision": limits for kind, limits in supervised.items()},
     )
 
 
@@ -254,8 +227,3 @@ def _supervision(item: Any, names: _Names) -> dict[str, Any] | None:
         return None
     values: dict[str, Any] = item.model_dump(by_alias=True, exclude_none=True)
     return {**values, "error": names.error(values["error"])}
-
-
-def _without_absent(**values: Any) -> dict[str, Any]:
-    """The attributes that have a value."""
-    return {name: value for name, value in values.items() if value is not None}

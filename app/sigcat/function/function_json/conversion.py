@@ -4,11 +4,12 @@ The factors are those of ISO 80000 and of the definitions of the units; only the
 rational, and is taken so near that both directions have the nearest double.
 """
 
+import math
 import re
 import sys
 from fractions import Fraction
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Linear(NamedTuple):
@@ -71,22 +72,23 @@ def between(source: str, target: str) -> Linear | None:
     source, target = source.lower(), target.lower()
     if source == target:
         return IDENTITY
-    for units in _TO_BASE.values():
-        if source in units and target in units:
-            return units[source].then(units[target].inverse)
-    return None
+    units = _kind_of(source)
+    return units[source].then(units[target].inverse) if target in units else None
+
+
+def _kind_of(key: str) -> dict[str, Linear]:
+    """The units that one converts to, with their factors, by their keys."""
+    return next((units for units in _TO_BASE.values() if key in units), {})
 
 
 def base_of(unit: str) -> str | None:
     """Key of the unit that factors of this kind lead to; None if there are none."""
-    kind = next((units for units in _TO_BASE.values() if unit.lower() in units), {})
-    return next((key for key, linear in kind.items() if linear == IDENTITY), None)
+    return next((key for key, linear in _kind_of(unit.lower()).items() if linear == IDENTITY), None)
 
 
 def same_kind(unit: str) -> tuple[str, ...]:
     """Keys of the units that `unit` can be converted to, itself left out."""
-    key = unit.lower()
-    return next((tuple(u for u in units if u != key) for units in _TO_BASE.values() if key in units), ())
+    return tuple(each for each in _kind_of(unit.lower()) if each != unit.lower())
 
 
 @lru_cache(maxsize=4096)
@@ -126,6 +128,26 @@ def of_text(text: str) -> Fraction | None:
     if number is None or abs(number) > _LARGEST:
         return None
     return number if abs(number) * _LARGEST >= 1 else Fraction(0)
+
+
+def is_finite_number(value: Any) -> bool:
+    """Whether this is a number of YAML or JSON that is finite, and not true or false."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def is_outside(number: float | Fraction, low: float | Fraction | None, high: float | Fraction | None) -> bool:
+    """Whether a number lies outside a range that may be open."""
+    return (low is not None and number < low) or (high is not None and number > high)
+
+
+def as_written(value: object) -> Fraction | None:
+    """A number of YAML or JSON as it is written, 0.1 as a tenth, and true as 1; None if it is no finite number."""
+    if isinstance(value, bool):
+        return Fraction(int(value))
+    try:
+        return Fraction(repr(value)) if isinstance(value, int | float) else None
+    except ValueError:  # not a finite number
+        return None
 
 
 def as_number(number: Fraction) -> float:

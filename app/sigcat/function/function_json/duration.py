@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from sigcat.function.document.structure import unfit
+from sigcat.function.function_json.conversion import is_finite_number
 
 _DURATION = re.compile(r"\s*(\d+(?:\.\d*)?|\.\d+)\s*(us|µs|ms|s|)\s*", re.IGNORECASE)
 _MILLISECONDS = {"": 1.0, "ms": 1.0, "s": 1000.0, "us": 0.001, "µs": 0.001}
@@ -53,19 +54,15 @@ def exact_time(data: Any, field: str, key: str) -> Any:
         return data
     exact, time = data.get(f"{key}Nanoseconds", data.get(f"{field}_nanoseconds")), data.get(key, data.get(field))
     others = {name: value for name, value in data.items() if name not in (field, f"{field}_nanoseconds")}
-    if _is_number(exact):
+    if is_finite_number(exact):
         milliseconds = _plain(exact / NANOSECONDS)
         if time not in (None, milliseconds, math.ceil(milliseconds)):
             raise unfit(f"`{key}` must be the time of `{key}Nanoseconds`, {milliseconds:g} ms, or absent.", key)
         return {**others, key: milliseconds}
-    if not _is_number(time):
+    if not is_finite_number(time):
         return data
     rest = {} if time == int(time) else {f"{key}Nanoseconds": whole_nanoseconds(time)}
     return {**others, key: _plain(time), **rest}
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _plain(number: float) -> float | int:

@@ -17,13 +17,13 @@ from sigcat.function.function_json.interfaces.status_interfaces import ModeInter
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.wire import (
-    TABLE,
     Listed,
     WireModel,
     described,
     document_schema,
     optional,
     own,
+    tabled,
     written,
 )
 
@@ -74,9 +74,7 @@ class FunctionJson(WireModel):
     components: Listed[Component] = described("ComponentList", "Components of the function.")
     modes: Listed[Mode] | None = described("ModesList", "Modes of the function and the calls that run in them.")
     datatypes: Listed[Datatype] = described("Datatypes", "Datatypes that interfaces refer to.")
-    mode_interfaces: Listed[ModeInterface] | None = described(
-        "ModeInterfaceList", "Mode management interfaces.", default=None, source=TABLE
-    )
+    mode_interfaces: Listed[ModeInterface] | None = tabled("ModeInterfaceList", "Mode management interfaces.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     provenance: Provenance | None = own("Provenance", "What the document was made from.")
 

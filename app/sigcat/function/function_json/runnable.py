@@ -14,7 +14,6 @@ from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, 
 from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import (
-    TABLE,
     Integer,
     Listed,
     Number,
@@ -23,6 +22,7 @@ from sigcat.function.function_json.wire import (
     described,
     optional,
     own,
+    tabled,
 )
 
 
@@ -33,7 +33,7 @@ class WatchdogLimits(WireModel):
     max: Number = described("Max", "Most indications, or longest duration.", unit="cycles or ms")
     reference: Number = described("Ref", "Cycles in which indications are counted; 0 for a deadline.", unit="cycles")
     error_name: Name = described("ErrorName", "Error interface that is set when a limit is broken.")
-    description: Text | None = described("Description", "Explanation, if needed.", default=None, source=TABLE)
+    description: Text | None = tabled("Description", "Explanation, if needed.")
 
 
 class Watchdog(WireModel):
@@ -42,9 +42,7 @@ class Watchdog(WireModel):
     alive: WatchdogLimits | None = described("AliveSupervision", "Limits in cycles.")
     deadline: WatchdogLimits | None = described("DeadlineSupervision", "Limits in ms.")
     logical: Text | None = described("LogicalSupervision", "Order relative to other calls, as text.")
-    logical_error: Name | None = described(
-        "LogicalError", "Error interface that is set when the order is broken.", default=None, source=TABLE
-    )
+    logical_error: Name | None = tabled("LogicalError", "Error interface that is set when the order is broken.")
 
 
 class Contract(WireModel):
@@ -94,8 +92,8 @@ class Runnable(WireModel):
         "EventList", "Events that trigger the call: names or paths of signals that it consumes, separated by commas."
     )
     contracts: Listed[Contract] | None = optional("funcContractList", "What the call reads and writes.")
-    supervision_types: Listed[Name] | None = described(
-        "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE
+    supervision_types: Listed[Name] | None = tabled(
+        "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised."
     )
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     symbol: CIdentifier | None = own("Symbol", "Function or member function in C; the name of the call if absent.")

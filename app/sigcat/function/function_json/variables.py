@@ -10,10 +10,18 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.role import PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import declared_data, errors, methods, parameters, safety_reactions
+from sigcat.function.function_json.walk import (
+    arguments,
+    declared_data,
+    methods,
+    modes,
+    parameters,
+    statuses,
+    subject_of,
+)
 
 
 class Place(NamedTuple):
@@ -53,7 +61,8 @@ def variables(function: FunctionJson) -> Iterator[CodeVariable]:
     yield from _of_data(function)
     yield from _of_statuses(function)
     yield from _of_methods(function)
-    yield from _of_modes(function)
+    for pointer, mode in modes(function):
+        yield from _own(mode, pointer, Place("", (), subject_of(mode)))
 
 
 def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -94,44 +103,29 @@ def _count(item: BaseModel) -> int | None:
 
 
 def _of_statuses(function: FunctionJson) -> Iterator[CodeVariable]:
-    for pointer, located, error in errors(function):
-        place = Place(located.component.name, located.pointer, Subject("error", error.name))
-        if error.variable:
-            at, datatype = (*pointer, "Variable"), error.datatype
-            yield CodeVariable(at, error.variable, place, error.name, datatype, error.defined_by, error.c_type)
-        if error.status_variable:
-            at, holds = (*pointer, "StatusVariable"), f"{error.name} status"
-            yield CodeVariable(at, error.status_variable, place, holds, error.datatype, error.defined_by)
-    for pointer, located, reaction in safety_reactions(function):
-        if reaction.variable:
-            place = Place(located.component.name, located.pointer, Subject("safety_reaction", reaction.name))
-            at = (*pointer, "Variable")
-            datatype, defined_by, c_type = reaction.datatype, reaction.defined_by, reaction.c_type
-            yield CodeVariable(at, reaction.variable, place, reaction.name, datatype, defined_by, c_type)
+    for pointer, located, item in statuses(function):
+        place = Place(located.component.name, located.pointer, subject_of(item))
+        yield from _own(item, pointer, place)
+        if isinstance(item, ErrorInterface) and item.status_variable:
+            at, holds = (*pointer, "StatusVariable"), f"{item.name} status"
+            yield CodeVariable(at, item.status_variable, place, holds, item.datatype, item.defined_by)
+
+
+def _own(item: ErrorInterface | SafetyReaction | ModeInterface, at: Pointer, place: Place) -> Iterator[CodeVariable]:
+    """The variable of the interface itself."""
+    if item.variable:
+        pointer, datatype = (*at, "Variable"), item.datatype
+        yield CodeVariable(pointer, item.variable, place, item.name, datatype, item.defined_by, item.c_type)
 
 
 def _of_methods(function: FunctionJson) -> Iterator[CodeVariable]:
     for pointer, located, method in methods(function):
-        place = Place(located.component.name, located.pointer, Subject("method", method.name))
-        yield from _of_arguments(pointer, place, method)
+        place = Place(located.component.name, located.pointer, subject_of(method))
+        for below, argument in arguments(method):
+            if argument.variable:
+                at, holds = (*pointer, *below, "Variable"), f"{method.name} {below[0]} {argument.name}"
+                yield CodeVariable(at, argument.variable, place, holds, argument.datatype)
         for key, expression in (("Request", method.request_variable), ("Status", method.status_variable)):
             if expression:
-                yield CodeVariable(
-                    (*pointer, f"{key}Variable"), expression, place, f"{method.name} {key}", c_type="uint8_t"
-                )
-
-
-def _of_arguments(pointer: Pointer, place: Place, method: MethodInterface) -> Iterator[CodeVariable]:
-    for key, arguments in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
-        for index, argument in enumerate(arguments):
-            if argument.variable:
-                at, holds = (*pointer, key, index, "Variable"), f"{method.name} {key} {argument.name}"
-                yield CodeVariable(at, argument.variable, place, holds, argument.datatype)
-
-
-def _of_modes(function: FunctionJson) -> Iterator[CodeVariable]:
-    for index, mode in enumerate(function.mode_interfaces or ()):
-        if mode.variable:
-            place = Place("", (), Subject("mode", mode.name))
-            at = ("ModeInterfaceList", index, "Variable")
-            yield CodeVariable(at, mode.variable, place, mode.name, mode.datatype, mode.defined_by, mode.c_type)
+                at, holds = (*pointer, f"{key}Variable"), f"{method.name} {key}"
+                yield CodeVariable(at, expression, place, holds, c_type="uint8_t")

@@ -1,14 +1,15 @@
 """The parts of a Function JSON, each with its pointer."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Kind, Subject
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.interfaces.methods import MethodInterface
-from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.runnable import Contract, Runnable
 
@@ -33,9 +34,34 @@ def calls_of(function: FunctionJson) -> Iterator[Runnable]:
     return (each.runnable for each in runnables(function))
 
 
-def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
-    """Signals and queues of a contract."""
-    return (*(contract.signals or ()), *(contract.queues or ()))
+_LISTS = {
+    "SignalList": "signals",
+    "DataQList": "queues",
+    "MethodList": "methods",
+    "ParameterList": "parameters",
+    "ErrorList": "errors",
+    "SafetyReactionList": "safety_reactions",
+    "AbsentSignalList": "absent_signals",
+    "AbsentDataQList": "absent_queues",
+}
+"""Fields of the lists of a contract, by their keys."""
+_DATA, _ABSENT = ("SignalList", "DataQList"), ("AbsentSignalList", "AbsentDataQList")
+_PRESENT = tuple(key for key in _LISTS if key not in _ABSENT)
+_KINDS: Mapping[type, Kind] = {
+    Signal: "data",
+    DataQueue: "data",
+    ParameterInterface: "data",
+    MethodInterface: "method",
+    ErrorInterface: "error",
+    SafetyReaction: "safety_reaction",
+    ModeInterface: "mode",
+}
+Interface = Signal | DataQueue | ParameterInterface | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface
+
+
+def subject_of(item: Interface) -> Subject:
+    """An interface under its name, as the subject of a problem."""
+    return Subject(_KINDS[type(item)], item.name)
 
 
 def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Contract]]:
@@ -45,18 +71,37 @@ def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Contra
             yield (*located.pointer, "funcContractList", index), located, contract
 
 
-def located_data(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+def interface_lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | None], ...]:
+    """Lists of interfaces of a contract, each with its key."""
+    return tuple((key, getattr(contract, _LISTS[key])) for key in _PRESENT)
+
+
+def _items(contract: Contract, pointer: Pointer, keys: tuple[str, ...]) -> list[tuple[Pointer, Any]]:
+    """Interfaces in lists of a contract, with their pointers."""
+    lists = [(key, getattr(contract, _LISTS[key]) or ()) for key in keys]
+    return [((*pointer, key, index), item) for key, items in lists for index, item in enumerate(items)]
+
+
+def _all(function: FunctionJson, *keys: str) -> Iterator[tuple[Pointer, Located, Any]]:
+    """Interfaces in lists of every contract."""
+    for pointer, located, contract in contracts(function):
+        for at, item in _items(contract, pointer, keys):
+            yield at, located, item
+
+
+def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
+    """Signals and queues of a contract."""
+    return (*(contract.signals or ()), *(contract.queues or ()))
+
+
+def located_data(contract: Contract, pointer: Pointer) -> list[tuple[Pointer, Signal | DataQueue]]:
     """Signals and queues of a contract, with their pointers."""
-    for index, signal in enumerate(contract.signals or ()):
-        yield (*pointer, "SignalList", index), signal
-    for index, queue in enumerate(contract.queues or ()):
-        yield (*pointer, "DataQList", index), queue
+    return _items(contract, pointer, _DATA)
 
 
 def data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
     """Every signal and every queue."""
-    for pointer, located, contract in contracts(function):
-        yield from ((at, located, item) for at, item in located_data(contract, pointer))
+    return _all(function, *_DATA)
 
 
 def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
@@ -64,18 +109,14 @@ def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
     return (*(contract.absent_signals or ()), *(contract.absent_queues or ()))
 
 
-def located_absent(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+def located_absent(contract: Contract, pointer: Pointer) -> list[tuple[Pointer, Signal | DataQueue]]:
     """The same of optional ones that the vehicle does not have."""
-    for index, signal in enumerate(contract.absent_signals or ()):
-        yield (*pointer, "AbsentSignalList", index), signal
-    for index, queue in enumerate(contract.absent_queues or ()):
-        yield (*pointer, "AbsentDataQList", index), queue
+    return _items(contract, pointer, _ABSENT)
 
 
 def absent(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
     """Every optional signal and queue that the vehicle does not have."""
-    for pointer, located, contract in contracts(function):
-        yield from ((at, located, item) for at, item in located_absent(contract, pointer))
+    return _all(function, *_ABSENT)
 
 
 def declared_data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
@@ -86,68 +127,59 @@ def declared_data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Si
 
 def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ParameterInterface]]:
     """Every parameter."""
-    for pointer, located, contract in contracts(function):
-        for index, item in enumerate(contract.parameters or ()):
-            yield (*pointer, "ParameterList", index), located, item
+    return _all(function, "ParameterList")
 
 
 def methods(function: FunctionJson) -> Iterator[tuple[Pointer, Located, MethodInterface]]:
     """Every method."""
-    for pointer, located, contract in contracts(function):
-        for index, item in enumerate(contract.methods or ()):
-            yield (*pointer, "MethodList", index), located, item
+    return _all(function, "MethodList")
 
 
 def errors(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ErrorInterface]]:
     """Every error."""
-    for pointer, located, contract in contracts(function):
-        for index, item in enumerate(contract.errors or ()):
-            yield (*pointer, "ErrorList", index), located, item
+    return _all(function, "ErrorList")
+
+
+def modes(function: FunctionJson) -> Iterator[tuple[Pointer, ModeInterface]]:
+    """Every mode interface."""
+    for index, item in enumerate(function.mode_interfaces or ()):
+        yield ("ModeInterfaceList", index), item
 
 
 def safety_reactions(function: FunctionJson) -> Iterator[tuple[Pointer, Located, SafetyReaction]]:
     """Every safety reaction."""
-    for pointer, located, contract in contracts(function):
-        for index, item in enumerate(contract.safety_reactions or ()):
-            yield (*pointer, "SafetyReactionList", index), located, item
+    return _all(function, "SafetyReactionList")
+
+
+def statuses(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ErrorInterface | SafetyReaction]]:
+    """Every error, then every safety reaction."""
+    yield from errors(function)
+    yield from safety_reactions(function)
+
+
+def timed(function: FunctionJson) -> Iterator[tuple[Pointer, Signal | DataQueue | SafetyReaction | MethodInterface]]:
+    """Every interface that has a time-out."""
+    yield from ((pointer, item) for pointer, _, item in data(function))
+    yield from ((pointer, item) for pointer, _, item in _all(function, "SafetyReactionList", "MethodList"))
+
+
+def arguments(method: MethodInterface) -> Iterator[tuple[Pointer, Argument]]:
+    """Arguments and return values of a method, with their pointers in it."""
+    for key, items in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
+        yield from (((key, index), item) for index, item in enumerate(items))
 
 
 def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
     """Every reference to a datatype."""
-    for pointer, _, contract in contracts(function):
-        for key, items in interface_lists(contract):
-            for index, item in enumerate(items or ()):
-                at = (*pointer, key, index)
-                if key == "MethodList":
-                    yield from _arguments(at, item)
-                else:
-                    yield (*at, "Datatype"), item.datatype
-    yield from (((*at, "Datatype"), item.datatype) for at, _, item in absent(function))
-    for index, interface in enumerate(function.mode_interfaces or ()):
-        yield ("ModeInterfaceList", index, "Datatype"), interface.datatype
+    for at, _, item in (*_all(function, *_PRESENT), *absent(function)):
+        inner = arguments(item) if isinstance(item, MethodInterface) else (((), item),)
+        yield from (((*at, *below, "Datatype"), each.datatype) for below, each in inner)
+    yield from (((*at, "Datatype"), interface.datatype) for at, interface in modes(function))
     for index, datatype in enumerate(function.datatypes):
         if datatype.element is not None:
             yield ("Datatypes", index, "ElementType"), datatype.element
         for number, field in enumerate(datatype.fields or ()):
             yield ("Datatypes", index, "Fields", number, "Datatype"), field.datatype
-
-
-def interface_lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | None], ...]:
-    """Lists of interfaces of a contract, each with its key."""
-    return (
-        ("SignalList", contract.signals),
-        ("DataQList", contract.queues),
-        ("MethodList", contract.methods),
-        ("ParameterList", contract.parameters),
-        ("ErrorList", contract.errors),
-        ("SafetyReactionList", contract.safety_reactions),
-    )
-
-
-def _arguments(at: Pointer, method: Any) -> Iterator[tuple[Pointer, str]]:
-    for key, items in (("InDataTypeList", method.inputs), ("OutDataTypeList", method.outputs)):
-        for index, item in enumerate(items):
-            yield (*at, key, index, "Datatype"), item.datatype
 
 
 def parts(part: BaseModel, pointer: Pointer = ()) -> Iterator[tuple[Pointer, BaseModel]]:

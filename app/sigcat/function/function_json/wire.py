@@ -43,6 +43,11 @@ def optional(alias: str, description: str, **more: Any) -> Any:
     return described(alias, description, default=None, **more)
 
 
+def tabled(alias: str, description: str, **more: Any) -> Any:
+    """An optional field of the paper's table that the published schema lacks."""
+    return optional(alias, description, source=TABLE, **more)
+
+
 def own(alias: str, description: str, **more: Any) -> Any:
     """An optional field that the published schema lacks."""
     return optional(alias, description, source=OWN, **more)

@@ -18,12 +18,12 @@ from sigcat.function.importing.function_text import (
 )
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
-from sigcat.function.importing.yaml_edits import Text, edited, entries_of, items_of, text_of, value_at
+from sigcat.function.importing.yaml_edits import Text, edited, entries_of, runnables_of, text_of, value_at
 
 
 def added(text: str, draft: Draft) -> str:
     """The text with the signals and parameters of a draft, each at the call that uses it, and what they define."""
-    steps = [call for call in draft.project.calls if call.kind == "step"]
+    steps = draft.project.steps
     for step in steps:
         signals = [each for each in draft.signals if is_of(each.value.key, step, steps)]
         parameters = [each for each in draft.parameters if is_of(each.value.key, step, steps)]
@@ -58,14 +58,8 @@ def root_of(text: str) -> Node | None:
 
 def _runnable(root: Node | None, step: Call) -> Node:
     """The call of the file that is this one; else the first one that has data, or the last one."""
-    runnables = [
-        each for part in items_of(value_at(root, "components")) for each in items_of(value_at(part, "runnables"))
-    ]
-    named = [
-        each
-        for each in runnables
-        if step.symbol in (text_of(value_at(each, "symbol")), text_of(value_at(each, "interface")))
-    ]
+    runnables, keys = list(runnables_of(root)), ("symbol", "interface")
+    named = [each for each in runnables if step.symbol in [text_of(value_at(each, key)) for key in keys]]
     using = [each for each in runnables if value_at(each, "data") is not None]
     return (*named, *using, *reversed(runnables))[0]
 

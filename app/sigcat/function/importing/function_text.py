@@ -11,7 +11,7 @@ from sigcat.function.c_project.project import Call, CodeProject
 from sigcat.function.function_json.duration import whole_nanoseconds
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
-from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
+from sigcat.function.importing.yaml_text import comment, entry, inline, scalar
 from sigcat.names import camel_case
 
 _MOST_NAMED = 5
@@ -54,9 +54,8 @@ def _head(draft: Draft) -> Iterator[str]:
     tool = f", Simulink Coder {title['tool']}" if "tool" in title else ""
     yield f"# yaml-language-server: $schema={draft.schema}"
     yield "#"
-    yield comment(
-        0, f"Imported from the C code of {title.get('model', project.model) or draft.function}{made_by}{tool}."
-    )
+    name = title.get("model", project.model) or draft.function
+    yield comment(0, f"Imported from the C code of {name}{made_by}{tool}.")
     yield comment(0, "Comments name the line of the code that an entry comes from.")
     for line in to_do(draft):
         yield comment(0, f"To do: {line}")
@@ -85,7 +84,9 @@ def to_do(draft: Draft) -> Iterator[str]:
     if any(call.returns and call.kind == "init" for call in draft.project.calls):
         yield "check that 0 is what init returns for success."
     if draft.project.left_out:
-        named = ", ".join(f"{each.name} ({_at(each.place, draft)})" for each in draft.project.left_out[:_MOST_NAMED])
+        named = ", ".join(
+            f"{each.name} ({_in(draft.folder, each.place)})" for each in draft.project.left_out[:_MOST_NAMED]
+        )
         more = len(draft.project.left_out) - _MOST_NAMED
         yield f"add other functions that must be called, as calls or methods: {named}{f' and {more} more' if more > 0 else ''}."
     without_value = sum(bool(each.definition) and each.value.start is None for each in draft.parameters)
@@ -105,29 +106,27 @@ def cycle_time(call: Call) -> float | int | None:
 def _code(draft: Draft) -> Iterator[str]:
     project = draft.project
     yield "code:"
-    yield entry(2, "signature", project.signature)
-    if project.class_name:
-        yield entry(2, "class", project.class_name)
-    if project.sources:
-        yield entry(2, "sources", [_below(draft.folder, path) for path in project.sources])
-    if project.headers:
-        yield entry(2, "headers", [Path(path).name for path in project.headers])
-    folders = [_below(draft.folder, path) for path in _include_folders(project)]
-    if folders != ["."]:  # there headers are found without
-        yield entry(2, "includeFolders", folders)
-    if project.definitions:
-        yield entry(2, "definitions", dict(map(_definition, project.definitions)))
+    of_headers = (Path(path).parent.as_posix() for path in project.headers)
+    folders = [_below(draft.folder, path) for path in dict.fromkeys((*of_headers, *project.include_folders))]
+    entries = {
+        "signature": project.signature,
+        "class": project.class_name,
+        "sources": [_below(draft.folder, path) for path in project.sources],
+        "headers": [Path(path).name for path in project.headers],
+        "includeFolders": folders if folders != ["."] else [],  # there headers are found without
+        "definitions": dict(map(_definition, project.definitions)),
+    }
+    yield from (entry(2, key, value) for key, value in entries.items() if value)
     if project.machine:
-        yield comment(
-            2, f"The code checks the sizes of words: compile it for a machine of {project.machine}, such as by -m32."
-        )
+        way = f"compile it for a machine of {project.machine}, such as by -m32."
+        yield comment(2, f"The code checks the sizes of words: {way}")
     if project.interface.objects:
         yield "  objects:"
     for each in project.interface.objects:
         by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
         keys = {"name": each.name, "type": each.type, "length": each.length or None, "member": each.member or None,
                 "definedBy": by_adapter}  # fmt: skip
-        yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
+        yield f"    - {inline({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 
 def _definition(text: str) -> tuple[str, str | None]:
@@ -135,21 +134,12 @@ def _definition(text: str) -> tuple[str, str | None]:
     return name, value if sign else None
 
 
-def _include_folders(project: CodeProject) -> list[str]:
-    """Return include folders, those of the headers first."""
-    return list(dict.fromkeys([*(Path(path).parent.as_posix() for path in project.headers), *project.include_folders]))
-
-
 def _below(folder: str, path: str) -> str:
     return Path(folder, path).as_posix()
 
 
 def _from(place: Place, draft: Draft) -> str:
-    return f"  # {_at(place, draft)}" if place.file else ""
-
-
-def _at(place: Place, draft: Draft) -> str:
-    return _in(draft.folder, place)
+    return f"  # {_in(draft.folder, place)}" if place.file else ""
 
 
 def _in(folder: str, place: Place) -> str:
@@ -216,8 +206,7 @@ def _asil(draft: Draft) -> Level:
 
 def _last_name(call: Call, project: CodeProject) -> str:
     """Init, Step, Terminate; of several steps, what tells them apart before `Step`."""
-    steps = [each for each in project.calls if each.kind == "step"]
-    if call.kind != "step" or len(steps) == 1:
+    if call.kind != "step" or len(project.steps) == 1:
         return call.kind.capitalize()
     own = camel_case(call.symbol.removeprefix(project.model))
     rest = own[len("step") :] if own.lower().startswith("step") else own
@@ -237,7 +226,7 @@ def _components(draft: Draft) -> Iterator[str]:
     yield "components:"
     yield f"  - name: {draft.function}"
     yield "    runnables:"
-    steps = [call for call in draft.project.calls if call.kind == "step"]
+    steps = draft.project.steps
     for call in draft.project.calls:
         yield f"      - interface: {call_name(call, draft)}"
         yield f"        symbol: {scalar(call.symbol)}{_from(call.place, draft)}"

@@ -1,6 +1,6 @@
 """A folder of C code to a function.yaml that is checked."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,7 +16,7 @@ from sigcat.function.function_file import check_function
 from sigcat.function.importing.function_text import Draft, function_text, to_do
 from sigcat.function.importing.own_signals import checked_branch, defined_under
 from sigcat.function.importing.parameters import parameters_of
-from sigcat.function.importing.signals import Role, Signal, signals_of
+from sigcat.function.importing.signals import Role, signals_of
 from sigcat.real_path import real_path
 
 _MOST_TRIES = 4
@@ -109,22 +109,17 @@ def _checked(draft: Draft, catalogue: Catalogue) -> Draft:
         wrong = {each.path: each.message for each in findings if each.path in chosen}
         if not wrong:
             return draft
-        draft = draft._replace(signals=tuple(_without(signal, wrong) for signal in draft.signals))
+        signals = (
+            each.unchosen(wrong[each.path]) if each.is_chosen and each.path in wrong else each for each in draft.signals
+        )
+        draft = draft._replace(signals=tuple(signals))
     return draft
-
-
-def _without(signal: Signal, wrong: Mapping[str, str]) -> Signal:
-    return signal.unchosen(wrong[signal.path]) if signal.is_chosen and signal.path in wrong else signal
 
 
 def _summary(draft: Draft) -> str:
     interface = draft.project.interface
-    counts = (
-        (len(interface.inputs), "input"),
-        (len(interface.outputs), "output"),
-        (len(draft.parameters), "parameter"),
-    )
-    listed = ", ".join(f"{count} {noun}{'' if count == 1 else 's'}" for count, noun in counts)
+    counted = {"input": interface.inputs, "output": interface.outputs, "parameter": draft.parameters}
+    listed = ", ".join(f"{len(each)} {noun}{'' if len(each) == 1 else 's'}" for noun, each in counted.items())
     return f"{listed} of {draft.project.model or 'the code'}"
 
 

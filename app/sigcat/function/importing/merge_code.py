@@ -1,7 +1,7 @@
 """Code that was generated again, merged into its function.yaml: what a person wrote stays."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.code_values import Value
-from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.c_project.project import CodeProject, with_owners
 from sigcat.function.c_project.read_project import read_project
 from sigcat.function.declaration.declaration import Declaration, read_declaration
 from sigcat.function.importing.added_entries import added, root_of
@@ -28,6 +28,7 @@ from sigcat.function.importing.yaml_edits import (
     edited,
     entries_of,
     items_of,
+    runnables_of,
     text_of,
     value_at,
 )
@@ -53,11 +54,22 @@ class Merged(NamedTuple):
 class _Entry(NamedTuple):
     """An entry of `data` or `parameters` that names a variable."""
 
+    runnable: Node
+    """The call that has it."""
     kind: str
     listed: SequenceNode
     number: int
     node: MappingNode
     variable: str
+
+    def text(self, key: str) -> str | None:
+        """The text of one of its keys."""
+        return text_of(value_at(self.node, key))
+
+    @property
+    def path(self) -> str:
+        """Its path, or the last name of a parameter of the function."""
+        return self.text("path") or ""
 
 
 class _Known(NamedTuple):
@@ -71,7 +83,8 @@ class _Known(NamedTuple):
 
     def is_gone(self, variable: str) -> bool:
         """Whether the code has no such variable any more."""
-        return self._is_absent(variable) and (self.project.signature == "globals" or self._has_owner(variable))
+        has_owner = not self.project.expressions.isdisjoint(with_owners(variable))
+        return self._is_absent(variable) and (self.project.signature == "globals" or has_owner)
 
     def is_unknown(self, variable: str) -> bool:
         """Whether nothing of the code tells where a variable is or was, such as a member of an object that a person added."""
@@ -79,13 +92,8 @@ class _Known(NamedTuple):
 
     def _is_absent(self, variable: str) -> bool:
         """Whether the code names neither a variable nor an array, a union or a pointer that it is in."""
-        is_named = variable in self.project.expressions or any(
-            owner in self.project.undivided for owner in _with_owners(variable)
-        )
-        return bool(_PLAIN.fullmatch(variable)) and not is_named
-
-    def _has_owner(self, variable: str) -> bool:
-        return any(owner in self.project.expressions for owner in _with_owners(variable))
+        is_part = not self.project.undivided.isdisjoint(with_owners(variable))
+        return bool(_PLAIN.fullmatch(variable)) and not is_part and variable not in self.project.expressions
 
 
 def merge_code(
@@ -143,19 +151,12 @@ def _new(project: CodeProject, variables: AbstractSet[str]) -> CodeProject:
 
     def is_new(value: Value) -> bool:
         parts = rf"(?<![\w.>]){re.escape(value.expression)}(?!\w)"
-        return variables.isdisjoint(_with_owners(value.expression)) and not re.search(parts, named)
+        return variables.isdisjoint(with_owners(value.expression)) and not re.search(parts, named)
 
     inputs, outputs, parameters = (
         tuple(value for value in values if is_new(value)) for values in (whole.inputs, whole.outputs, whole.parameters)
     )
     return project._replace(interface=whole._replace(inputs=inputs, outputs=outputs, parameters=parameters))
-
-
-def _with_owners(expression: str) -> Iterator[str]:
-    """An expression such as `in.middle[0].flow`, and the structs and arrays that it is in: `in.middle[0]`, `in.middle`, `in`."""
-    yield expression
-    for mark in re.finditer(r"[.\[]", expression):
-        yield expression[: mark.start()]
 
 
 def _variables(value: Any) -> Iterator[str]:
@@ -183,14 +184,13 @@ def _taken(declaration: Declaration) -> tuple[frozenset[str], frozenset[str]]:
 
 
 def _entries(root: Node | None) -> Iterator[_Entry]:
-    for component in items_of(value_at(root, "components")):
-        for runnable in items_of(value_at(component, "runnables")):
-            for kind in ("data", "parameters"):
-                listed = value_at(runnable, kind)
-                for index, node in enumerate(items_of(listed)):
-                    variable = text_of(value_at(node, "variable"))
-                    if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
-                        yield _Entry(kind, listed, index, node, variable)
+    for runnable in runnables_of(root):
+        for kind in ("data", "parameters"):
+            listed = value_at(runnable, kind)
+            for index, node in enumerate(items_of(listed)):
+                variable = text_of(value_at(node, "variable"))
+                if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
+                    yield _Entry(runnable, kind, listed, index, node, variable)
 
 
 def _with_new_names(text: str, known: _Known, variables: AbstractSet[str]) -> tuple[str, Mapping[str, str]]:
@@ -200,7 +200,7 @@ def _with_new_names(text: str, known: _Known, variables: AbstractSet[str]) -> tu
     fresh = _new(known.project, variables).interface
     by_role = {"consumed": fresh.inputs, "provided": fresh.outputs}
     for entry in gone:
-        role, told = text_of(value_at(entry.node, "role")) or "", _remark_above(entry, whole)
+        role, told = entry.text("role") or "", _remark_above(entry, whole)
         alike = [value for value in by_role.get(role, ()) if told and _said(value) == told]
         rivals = [other for other in gone if _remark_above(other, whole) == told]
         if len(alike) == len(rivals) == 1 and nearest(entry.variable, [alike[0].expression], cutoff=_SIMILAR):
@@ -224,32 +224,20 @@ def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
     """Without the entries of variables that are gone, one after the other: each moves those behind it."""
     report: list[str] = []
     while found := next((each for each in _entries(root_of(text)) if known.is_gone(each.variable)), None):
-        path = text_of(value_at(found.node, "path")) or ""
-        report.append(f"gone: {found.variable} ({path})")
-        text = _without(text, found, path)
+        report.append(f"gone: {found.variable} ({found.path})")
+        text = _without(text, found)
     return text, tuple(report)
 
 
-def _without(text: str, entry: _Entry, path: str) -> str:
-    whole, root = Text(text), root_of(text)
+def _without(text: str, entry: _Entry) -> str:
+    whole, root, path = Text(text), root_of(text), entry.path
     if len(entry.listed.value) > 1 or entry.listed.flow_style:
         text = edited(text, [whole.without_item(entry.listed, entry.number)])
     else:  # the key goes with its only item
-        owner = _owner(root, entry.listed, entry.kind)
-        text = edited(text, [whole.without_key(owner, entry.kind)])
+        text = edited(text, [whole.without_key(entry.runnable, entry.kind)])
     defined = value_at(root, "define", entry.kind)
-    is_used = any(text_of(value_at(each.node, "path")) == path for each in _entries(root_of(text)))
+    is_used = any(each.path == path for each in _entries(root_of(text)))
     return _without_definition(text, entry.kind, path) if path in entries_of(defined) and not is_used else text
-
-
-def _owner(root: Node | None, listed: SequenceNode, kind: str) -> Node:
-    at = listed.start_mark.index
-    return next(
-        runnable
-        for component in items_of(value_at(root, "components"))
-        for runnable in items_of(value_at(component, "runnables"))
-        if (found := value_at(runnable, kind)) is not None and found.start_mark.index == at
-    )
 
 
 def _without_definition(text: str, kind: str, name: str) -> str:
@@ -314,43 +302,36 @@ _Change = tuple[Node, str, Any, Any]
 
 def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
     """Differences in types and scales, where the code decides."""
-    node = entry.node
     if role:
         yield from _role(entry, role, value)
     is_scaled = value.datatype not in ("float", "double", "boolean")
     for key, number in (("factor", value.remark.factor), ("offset", value.remark.offset)):
-        given = text_of(value_at(node, key))
+        given = entry.text(key)
         if is_scaled and number is not None and (given is None or float(given) != number):
-            yield node, key, given, number
+            yield entry.node, key, given, number
     yield from _datatypes(entry, value, root, catalogue)
     yield from _numbers(entry, value, root)
 
 
 def _role(entry: _Entry, role: str, value: Value) -> Iterator[_Change]:
     """Differences in what the calls and the linked files decide."""
-    node = entry.node
-    if entry.kind == "data" and text_of(value_at(node, "role")) != role:
-        yield node, "role", text_of(value_at(node, "role")), role
-    derived = {
-        "definedBy": "adapter" if value.defined_by == "adapter" else None,
-        "cType": value.c_type or None,
-    }
+    if entry.kind == "data" and entry.text("role") != role:
+        yield entry.node, "role", entry.text("role"), role
+    derived = {"definedBy": "adapter" if value.defined_by == "adapter" else None, "cType": value.c_type or None}
     for key, now in derived.items():
-        before = text_of(value_at(node, key))
+        before = entry.text(key)
         if before != now and not (key == "definedBy" and before == "function" and now is None):
-            yield node, key, before, now
+            yield entry.node, key, before, now
 
 
 def _datatypes(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
     """Differences in the datatype of the entry, or of the definition in the file."""
     now = f"{value.datatype}{'[]' if value.length else ''}"
-    path = text_of(value_at(entry.node, "path")) or ""
-    defined = value_at(root, "define", entry.kind, path)
-    before = text_of(value_at(entry.node, "datatype"))
+    defined, before = value_at(root, "define", entry.kind, entry.path), entry.text("datatype")
     is_enumeration = value_at(defined, "allowed") is not None
     if before is not None and before != now:
         yield entry.node, "datatype", before, now
-    elif before is None and defined is None and (known := _of_catalogue(path, catalogue)) not in ("", now):
+    elif before is None and defined is None and (known := _of_catalogue(entry.path, catalogue)) not in ("", now):
         yield entry.node, "datatype", known, now
     if defined is None or is_enumeration:
         return
@@ -374,7 +355,7 @@ def _numbers(entry: _Entry, value: Value, root: Node | None) -> Iterator[_Change
     before = {key: text_of(each) for key, (_, each) in entries_of(value_at(node, "values")).items()}
     found = {key: _number(key, value) for key in before}
     renamed = {key: found[key] if found[key] is not None else int(number or 0) for key, number in before.items()}
-    defined = value_at(root, "define", entry.kind, text_of(value_at(node, "path")) or "")
+    defined = value_at(root, "define", entry.kind, entry.path)
     allowed = [text_of(each) for each in items_of(value_at(defined, "allowed"))]
     has_own_names = own.keys() >= before.keys() and allowed == list(before)
     now = own if has_own_names else renamed
@@ -393,14 +374,14 @@ def _number(name: str, value: Value) -> int | None:
 
 def _kept(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[str]:
     """Ranges that a person may have chosen, and the lengths of signals that the file does not define."""
-    path = text_of(value_at(entry.node, "path")) or ""
-    node = catalogue.get(path)
-    if node is not None and value_at(root, "define", entry.kind, path) is None:
+    node = catalogue.get(entry.path)
+    if node is not None and value_at(root, "define", entry.kind, entry.path) is None:
         length = node.values.get("arraysize")
         if length is not None and length != value.length:
-            yield f"kept: {entry.variable}: {path} has {length} elements; the code has {value.length or 'one value'}"
+            count = f"{length} elements; the code has {value.length or 'one value'}"
+            yield f"kept: {entry.variable}: {entry.path} has {count}"
     for key, now in (("min", value.remark.min), ("max", value.remark.max)):
-        given = text_of(value_at(entry.node, key))
+        given = entry.text(key)
         if now is not None and given is not None and float(given) != now:
             yield f"kept: {entry.variable}: {key} {given}; the code has {now:g}"
 
@@ -409,8 +390,7 @@ def _comment(entry: _Entry, value: Value, whole: Text, folder: str) -> Iterator[
     """The line that the import wrote, with the line of the code where the variable is now."""
     made = [(at, line) for at, line in whole.comments_above(entry.node) if _MADE.match(line)]
     for at, line in made if entry.kind == "data" else ():
-        signal = Signal(value, "consumed", "", "")
-        now = comment(len(line) - len(line.lstrip()), next(said_of(signal, folder)))
+        now = comment(len(line) - len(line.lstrip()), next(said_of(Signal(value, "consumed", "", ""), folder)))
         if now != line:
             yield Edit(at, at + len(line), now)
 
@@ -445,7 +425,9 @@ def _new_entries(draft: Draft) -> Iterator[str]:
 def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Draft) -> Iterator[str]:
     """Calls and sources that the file does not name: a person adds them."""
     known = {call.symbol or call.interface for each in declaration.components for call in each.runnables}
-    yield from (f"kept: the call {call.symbol} is not in the file" for call in project.calls if _is_new(call, known))
+    for call in project.calls:
+        if call.symbol not in known:
+            yield f"kept: the call {call.symbol} is not in the file"
     objects = {each.name for each in (declaration.code.objects if declaration.code else ())}
     yield from (
         f"kept: the object {each.name} is not among `objects`; add it with type {each.type}"
@@ -458,7 +440,3 @@ def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Dr
         path = Path(draft.folder, source).as_posix()
         if path not in listed:
             yield f"kept: the source {path} is not among `sources`"
-
-
-def _is_new(call: Call, known: Collection[str]) -> bool:
-    return call.symbol not in known

@@ -38,9 +38,8 @@ def parameters_of(
     settable = [value for value in values if not value.is_const]
     taken, said = {name.lower() for name in names}, set[str]()
     for value, own in zip(settable, unique_names(settable), strict=True):
-        name = free_name(
-            f"Is{starting_with_letter(own)}" if value.datatype == "boolean" else starting_with_letter(own), taken
-        )
+        prefix = "Is" if value.datatype == "boolean" else ""
+        name = free_name(f"{prefix}{starting_with_letter(own)}", taken)
         if name in known:
             keys = _keys(value, known[name].path, own)
             yield ParameterEntry(value, name, {}, {**keys, **_stored_otherwise(value, known[name])})
@@ -58,9 +57,8 @@ def _stored_otherwise(value: Value, node: Node) -> dict[str, Any]:
 
 def free_name(name: str, taken: set[str]) -> str:
     """A name that no other one has; names that differ in case alone are one in C of some platforms."""
-    free = next(
-        each for each in chain((name,), (f"{name}{number}" for number in count(2))) if each.lower() not in taken
-    )
+    numbered = (f"{name}{number}" for number in count(2))
+    free = next(each for each in chain((name,), numbered) if each.lower() not in taken)
     taken.add(free.lower())
     return free
 
@@ -68,7 +66,7 @@ def free_name(name: str, taken: set[str]) -> str:
 def described(value: Value, own: str, said: set[str], vocabulary: Vocabulary, kind: str) -> str:
     """Return the comment as a sentence, with the name where another one says the same."""
     text = without_unit(value.remark.text, value.remark.units, vocabulary)
-    sentence = _sentence(text) if text else f"{kind} {own} of the code."
+    sentence = f"{text[:1].upper()}{text[1:]}".rstrip(".") + "." if text else f"{kind} {own} of the code."
     sentence = f"{sentence[:-1]} ({own})." if sentence in said else sentence
     said.add(sentence)
     return sentence
@@ -163,7 +161,3 @@ def _keys(value: Value, name: str, own: str) -> dict[str, Any]:
         "offset": value.remark.offset if factor is not None else None,
     }
     return {key: each for key, each in keys.items() if each is not None}
-
-
-def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}".rstrip(".") + "."

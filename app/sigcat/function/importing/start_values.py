@@ -40,13 +40,9 @@ def start_of(value: Value) -> Any:
     """The value at start-up; 0 where the code has none, or has one that depends on others."""
     if not value.length:
         return _physical(value.start, value)
-    start = value.start if isinstance(value.start, list) else []
-    return [_physical(each, value) for each in _filled(start, value.length)]
-
-
-def _filled(start: list[Any], count: int) -> list[Any]:
-    """C sets to 0 what an initializer leaves out."""
-    return [*start[:count], *([0] * (count - len(start)))]
+    start = value.start[: value.length] if isinstance(value.start, list) else []
+    rest = [0] * (value.length - len(start))  # C sets to 0 what an initializer leaves out
+    return [_physical(each, value) for each in (*start, *rest)]
 
 
 def _physical(start: Any, value: Value) -> Any:

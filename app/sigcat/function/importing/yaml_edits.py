@@ -1,11 +1,11 @@
 """Changes of a YAML text by the positions of its nodes: everything else stays as it is, comments too."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
-from sigcat.function.importing.yaml_text import scalar
+from sigcat.function.importing.yaml_text import inline
 
 
 class Edit(NamedTuple):
@@ -41,18 +41,15 @@ def items_of(node: Node | None) -> Sequence[Node]:
     return tuple(node.value) if isinstance(node, SequenceNode) else ()
 
 
+def runnables_of(root: Node | None) -> Iterator[Node]:
+    """The calls of every component of a function file."""
+    for component in items_of(value_at(root, "components")):
+        yield from items_of(value_at(component, "runnables"))
+
+
 def text_of(node: Node | None) -> str | None:
     """The text of a scalar."""
     return node.value if isinstance(node, ScalarNode) else None
-
-
-def inline(value: Any) -> str:
-    """A value within a line."""
-    if isinstance(value, Mapping):
-        return f"{{{', '.join(f'{scalar(key, in_flow=True)}: {inline(each)}' for key, each in value.items())}}}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(inline, value))}]"
-    return scalar(value, in_flow=True)
 
 
 class Text:
@@ -122,9 +119,8 @@ class Text:
             is_first_of_more = not index and len(node.value) > 1
             end = node.value[1].start_mark.index if is_first_of_more else self.end_of(item)
             return Edit(start, end, "")
-        start = self._start_of_line(item.start_mark.index)
-        while (above := self._line_before(start)).lstrip().startswith("#"):
-            start -= len(above) + 1
+        comments = (at for at, _ in self.comments_above(item))
+        start = min(comments, default=self._start_of_line(item.start_mark.index))
         return Edit(start, min(self._end_of_line(self.end_of(item)) + 1, len(self._text)), "")
 
     def as_mapping(self, node: Node, name: str, key: str, value: Any) -> Edit:

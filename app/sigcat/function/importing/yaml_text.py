@@ -27,15 +27,13 @@ def _float(value: float) -> str:
     return text.replace("e", ".0e") if "e" in text and "." not in text else text
 
 
-def flow(value: Mapping[str, Any] | Iterable[Any]) -> str:
-    """A mapping or a list in one line."""
+def inline(value: Any) -> str:
+    """A value within a line."""
     if isinstance(value, Mapping):
-        return (
-            "{"
-            + ", ".join(f"{scalar(key, in_flow=True)}: {scalar(each, in_flow=True)}" for key, each in value.items())
-            + "}"
-        )
-    return "[" + ", ".join(scalar(each, in_flow=True) for each in value) + "]"
+        return f"{{{', '.join(f'{scalar(key, in_flow=True)}: {inline(each)}' for key, each in value.items())}}}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(inline, value))}]"
+    return scalar(value, in_flow=True)
 
 
 def entry(indent: int, key: str, value: Any) -> str:
@@ -43,7 +41,7 @@ def entry(indent: int, key: str, value: Any) -> str:
     start = f"{' ' * indent}{scalar(key)}:"
     if not isinstance(value, Mapping | list | tuple):
         return f"{start} {scalar(value)}"
-    line = f"{start} {flow(value)}"
+    line = f"{start} {inline(value)}"
     return line if len(line) <= _WIDTH or isinstance(value, Mapping) else _wrapped(start, value, indent)
 
 

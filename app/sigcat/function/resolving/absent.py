@@ -9,7 +9,7 @@ from sigcat.catalogue.model.datatypes import is_array
 from sigcat.catalogue.model.definition import STRUCT, Definition, instances_of
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
 from sigcat.function.extension.sound_catalogue import sound_node
 from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
 from sigcat.function.function_json.datatypes.type_list import smallest_integer
@@ -31,12 +31,12 @@ def absent_node(item: DataItem, at: Pointer, context: Context) -> Node | None:
     node = removed or _declared_node(item, context)
     if node is None:
         fix = "Give `datatype`, that of the variable: nothing else says it without the catalogue."
-        context.problems.append(Problem(codes.DATATYPE_OF_ABSENT_UNKNOWN, path, message, near or fix, subject))
+        context.report(codes.DATATYPE_OF_ABSENT_UNKNOWN, path, message, near or fix, subject)
         return None
     message += (
         f" It is optional: {'its variable has the start value' if item.role == 'consumed' else 'it is not sent'}."
     )
-    context.problems.append(Problem(codes.OPTIONAL_SIGNAL_ABSENT, path, message, near, subject))
+    context.report(codes.OPTIONAL_SIGNAL_ABSENT, path, message, near, subject)
     return node
 
 

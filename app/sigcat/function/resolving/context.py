@@ -13,7 +13,9 @@ from sigcat.catalogue.model.interfaces import (
     interface_name,
     interface_paths,
 )
-from sigcat.function.document.problem import Problem
+from sigcat.findings import RuleCode
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
 from sigcat.function.function_json.datatypes.type_list import TypeList
@@ -34,6 +36,10 @@ class Context:
     """Names of the signals that the function consumes, by their paths."""
     problems: list[Problem] = field(default_factory=list)
     """Problems of the declaration, in the order in which its parts are resolved."""
+
+    def report(self, rule: RuleCode, at: Pointer, message: str, fix: str = "", subject: Subject | None = None) -> None:
+        """Add a problem at a place of the declaration."""
+        self.problems.append(Problem(rule, at, message, fix, subject))
 
     @cached_property
     def meant(self) -> MeantSignals:

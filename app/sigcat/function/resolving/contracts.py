@@ -1,6 +1,7 @@
 """Interfaces that a call reads and writes: signals, queues, parameters, errors, safety reactions and methods."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
@@ -22,43 +23,25 @@ def contract(item: RunnableItem, at: Pointer, context: Context) -> Part[Contract
         [part for one, part in zip(item.data, data, strict=True) if is_absent(one, context) == are_absent]
         for are_absent in (False, True)
     )
-    signals, queues = _signals(there), _queues(there)
-    absent_signals, absent_queues = _signals(absent), _queues(absent)
-    parameters = each(item.parameters, (*at, "parameters"), context, parameter)
-    errors = each(item.errors, (*at, "errors"), context, error)
-    reactions = each(item.safety_reactions, (*at, "safetyReactions"), context, safety_reaction)
-    methods = each(item.methods, (*at, "methods"), context, method)
-    made = Contract(
-        type=item.contract,
-        signals=values_of(signals) or None,
-        queues=values_of(queues) or None,
-        methods=values_of(methods) or None,
-        parameters=values_of(parameters) or None,
-        errors=values_of(errors) or None,
-        safety_reactions=values_of(reactions) or None,
-        absent_signals=values_of(absent_signals) or None,
-        absent_queues=values_of(absent_queues) or None,
-    )
-    own: dict[str | int, Origin] = {"Type": Origin((*at, "contract"))} if item.contract is not None else {}
-    lists: dict[str | int, Origin] = {
-        "SignalList": origin_of(signals, at),
-        "DataQList": origin_of(queues, at),
-        "MethodList": origin_of(methods, at),
-        "ParameterList": origin_of(parameters, at),
-        "ErrorList": origin_of(errors, at),
-        "SafetyReactionList": origin_of(reactions, at),
-        "AbsentSignalList": origin_of(absent_signals, at),
-        "AbsentDataQList": origin_of(absent_queues, at),
+    lists: Mapping[str, Sequence[Part[Any]]] = {
+        "signals": _of_kind(Signal, there),
+        "queues": _of_kind(DataQueue, there),
+        "parameters": each(item.parameters, (*at, "parameters"), context, parameter),
+        "errors": each(item.errors, (*at, "errors"), context, error),
+        "safety_reactions": each(item.safety_reactions, (*at, "safetyReactions"), context, safety_reaction),
+        "methods": each(item.methods, (*at, "methods"), context, method),
+        "absent_signals": _of_kind(Signal, absent),
+        "absent_queues": _of_kind(DataQueue, absent),
     }
-    is_empty = not any(origin.parts for origin in lists.values())
-    return Part(
-        None if is_empty else made, Origin(at, {**own, **lists}), (*missing_in(parameters), *missing_in(errors))
-    )
+    made = Contract(type=item.contract, **{field: values_of(parts) or None for field, parts in lists.items()})
+    own: dict[str | int, Origin] = {"Type": Origin((*at, "contract"))} if item.contract is not None else {}
+    origins: dict[str | int, Origin] = {
+        Contract.model_fields[field].alias or field: origin_of(parts, at) for field, parts in lists.items()
+    }
+    is_empty = not any(origin.parts for origin in origins.values())
+    missing = (*missing_in(lists["parameters"]), *missing_in(lists["errors"]))
+    return Part(None if is_empty else made, Origin(at, {**own, **origins}), missing)
 
 
-def _signals(data: Iterable[Part[Signal | DataQueue]]) -> list[Part[Signal]]:
-    return [Part(part.value, part.origin) for part in data if isinstance(part.value, Signal)]
-
-
-def _queues(data: Iterable[Part[Signal | DataQueue]]) -> list[Part[DataQueue]]:
-    return [Part(part.value, part.origin) for part in data if isinstance(part.value, DataQueue)]
+def _of_kind(kind: type, data: Iterable[Part[Signal | DataQueue]]) -> list[Part[Signal | DataQueue]]:
+    return [Part(part.value, part.origin) for part in data if isinstance(part.value, kind)]

@@ -1,8 +1,6 @@
 """Signals, queues and parameters: what the catalogue knows of them, and what the declaration adds."""
 
 import json
-from collections.abc import Iterator
-from math import isfinite
 from typing import Any
 
 from sigcat import codes
@@ -11,9 +9,9 @@ from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.text import Text, optional
-from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
+from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text, is_finite_number
 from sigcat.function.function_json.datatypes.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
 from sigcat.function.function_json.error_fields import error_fields
@@ -23,7 +21,7 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.wire import WireModel
 from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context
-from sigcat.function.resolving.interfaces import asil_of, error_name
+from sigcat.function.resolving.interfaces import Attributes, error_name
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values.elements import converted
 from sigcat.function.resolving.values.numbers import fraction, plain_text
@@ -41,14 +39,14 @@ def data_interface(item: DataItem, at: Pointer, context: Context) -> Part[Signal
     if value.node.type == "attribute" and item.role == "provided":
         message = f"The role of {item.path!r} must be consumed: functions do not provide attributes."
         subject = Subject("data", item.path)
-        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject))
+        context.report(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject)
     is_signal = item.queue_length is None
     context.problems.extend(_of_no_queue(item, at))
     made = _signal(item, value, at, context) if is_signal else _queue(item, value, at, context)
     return Part(made, _origin(item, at, "AsilLevel" if is_signal else "AsilInfo"))
 
 
-def _of_no_queue(item: DataItem, at: Pointer) -> Iterator[Problem]:
+def _of_no_queue(item: DataItem, at: Pointer) -> Problems:
     """Fields that only a queue has."""
     for field in ("overflow", "overflow_error", "values_per_step", "count_variable"):
         if item.queue_length is None and getattr(item, field) is not None:
@@ -105,26 +103,26 @@ def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
     """Fields of a signal and a queue that a parameter does not have."""
     resolution = value.node.values.get("resolution")
     scale = abs(value.conversion.factor) if value.conversion else 1
-    is_finite = isinstance(resolution, int | float) and not isinstance(resolution, bool) and isfinite(resolution)
-    step = as_number(fraction(resolution) / scale) if is_finite else None
-    known = {"access": item.access, "default": value.default, "resolution": step}
-    return {**known, "default_elements": value.default_elements, **_catalogue_range(value)}
-
-
-def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Context) -> Level | None:
-    return item.asil or asil_of(value.node, at, context)
-
-
-def _exchange(item: DataItem) -> dict[str, Any]:
-    """Fields about values that are late, out of range or absent."""
     return {
+        "role": ROLES[item.role],
+        "type": value.node.type,
+        "external_provider": optional(item.provider),
+        "access": item.access,
+        "default": value.default,
+        "default_elements": value.default_elements,
+        "resolution": as_number(fraction(resolution) / scale) if is_finite_number(resolution) else None,
         "timeout": plain_text(item.timeout),
         "timeout_start": item.timeout_start,
         "timeout_value": item.timeout_value,
         "timeout_recovery": item.timeout_recovery,
         "range_error_action": item.range_error_action,
         "is_optional": item.optional or None,
+        **_catalogue_range(value),
     }
+
+
+def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Context) -> Level | None:
+    return item.asil or Attributes(value.node, at, context).asil
 
 
 def _errors(kind: type[WireModel], item: DataItem | ParameterItem, at: Pointer, context: Context) -> dict[str, Any]:
@@ -134,17 +132,13 @@ def _errors(kind: type[WireModel], item: DataItem | ParameterItem, at: Pointer, 
 
 def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Signal:
     return Signal(
-        role=ROLES[item.role],
         asil_level=_asil(item, value, at, context),
         factor=plain_text(item.factor),
         offset=plain_text(item.offset),
         init_value=value.init,
         units=value.unit,
-        type=value.node.type,
-        external_provider=optional(item.provider),
         **_common(item, value),
         **_also_known(item, value),
-        **_exchange(item),
         **_errors(Signal, item, at, context),
     )
 
@@ -152,21 +146,17 @@ def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Sign
 def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> DataQueue:
     assert item.queue_length is not None
     return DataQueue(
-        role=ROLES[item.role],
         asil_level=_asil(item, value, at, context) or "QM",
         queue_length=item.queue_length,
         factor=1 if item.factor is None else item.factor,
         offset=item.offset or 0,
         init_value=value.init or 0,
         units=value.unit or "",
-        type=value.node.type,
-        external_provider=optional(item.provider),
         overflow=item.overflow,
         values_per_step=item.values_per_step,
         count_variable=item.count_variable,
         **_common(item, value),
         **_also_known(item, value),
-        **_exchange(item),
         **_errors(DataQueue, item, at, context),
     )
 
@@ -183,15 +173,13 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Part[Parame
     if value.node.type != "attribute":
         message = f"The parameter {item.path!r} must be an attribute, not {with_article(value.node.type)}."
         fix = "List it under `data`."
-        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject))
+        context.report(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
     text = _default_text(value)
     start = value.init if value.default is None else value.default
     has_start = start is not None or text is not None or value.init_elements is not None
     if not has_start:
         fix = "Give `init`, or a default in the catalogue."
-        context.problems.append(
-            Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
-        )
+        context.report(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
     low, high = _limits(value)
     made = ParameterInterface(
         asil_level=_asil(item, value, at, context) or "QM",

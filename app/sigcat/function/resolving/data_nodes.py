@@ -26,13 +26,11 @@ def data_of(node: Node, at: Pointer, context: Context) -> Node | None:
     subject = Subject("data", path)
     if not node.is_leaf or node.type not in SIGNALS or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
-        context.problems.append(Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject))
+        context.report(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject)
         return None
     deprecation = node.values.get("deprecation")
     if deprecation:
-        context.problems.append(
-            Problem(codes.SIGNAL_DEPRECATED, at, f"{path!r} is deprecated: {deprecation}", subject=subject)
-        )
+        context.report(codes.SIGNAL_DEPRECATED, at, f"{path!r} is deprecated: {deprecation}", subject=subject)
     return node
 
 

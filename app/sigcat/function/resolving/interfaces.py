@@ -1,14 +1,17 @@
 """References from a declaration to interfaces of the catalogue, and the attributes of those."""
 
-from math import isfinite
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.asil import LEVELS, Level, level_of
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.interfaces import Category, category_of, function_of, interface_name
+from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
+from sigcat.function.document.text import Text
+from sigcat.function.function_json.conversion import is_finite_number
 from sigcat.function.resolving.context import Context
 from sigcat.names import did_you_mean, either, with_article
 
@@ -25,19 +28,15 @@ def interface_node(
     if node is None or actual is None:
         message = f"The catalogue has no {_words(category)} interface {reference!r}."
         fix = _meant(reference, category, context)
-        context.problems.append(Problem(codes.INTERFACE_UNKNOWN, at, message, fix, Subject(category, reference)))
+        context.report(codes.INTERFACE_UNKNOWN, at, message, fix, Subject(category, reference))
         return None
     if actual != category:
         message = f"{reference!r} must be {with_article(_words(category))} interface, not {with_article(_words(actual))} interface."
-        context.problems.append(
-            Problem(codes.INTERFACE_OF_ANOTHER_CATEGORY, at, message, subject=Subject(category, node.path))
-        )
+        context.report(codes.INTERFACE_OF_ANOTHER_CATEGORY, at, message, subject=Subject(category, node.path))
         return None
     if own and function_of(node.path) != context.function:
         message = f"{interface_name(node.path)!r} must be an interface of {context.function}, not of {function_of(node.path)}."
-        context.problems.append(
-            Problem(codes.INTERFACE_OF_ANOTHER_FUNCTION, at, message, subject=Subject(category, node.path))
-        )
+        context.report(codes.INTERFACE_OF_ANOTHER_FUNCTION, at, message, subject=Subject(category, node.path))
         return None
     return node
 
@@ -61,53 +60,61 @@ def _words(category: Category) -> str:
 # -- attributes ---------------------------------------------------------------------------------------------------
 
 
-def text_of(node: Node, name: str) -> str | None:
-    """Value of an attribute that is a text."""
-    value = node.values.get(name)
-    return value if isinstance(value, str) else None
+class Attributes(NamedTuple):
+    """Attributes of a node of the catalogue that a declaration refers to; one of the wrong kind is a problem there."""
 
+    node: Node
+    at: Pointer
+    """Pointer of the reference in the declaration."""
+    context: Context
 
-def asil_of(node: Node, at: Pointer, context: Context) -> Level | None:
-    """The ASIL that the catalogue states; a text that is none counts as not stated."""
-    value = node.values.get("ASILlevel")
-    level = level_of(value)
-    if value is not None and level is None:
-        context.problems.append(
-            _not_expected(node, "ASILlevel", either(LEVELS), at)._replace(rule=codes.ASIL_MISSPELLED)
-        )
-    return level
+    def text(self, name: str) -> str | None:
+        """Value of an attribute that is a text."""
+        value = self.node.values.get(name)
+        return value if isinstance(value, str) else None
 
+    @property
+    def description(self) -> Text:
+        """The description, whatever its kind."""
+        return Text(str(self.node.values.get("description") or ""))
 
-def number_of(node: Node, name: str, at: Pointer, context: Context) -> float | None:
-    """Value of an attribute that has to be a number."""
-    value = node.values.get(name)
-    if value is None or (isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)):
+    @property
+    def asil(self) -> Level | None:
+        """The ASIL that the catalogue states; a text that is none counts as not stated."""
+        value = self.node.values.get("ASILlevel")
+        level = level_of(value)
+        if value is not None and level is None:
+            self._not_expected("ASILlevel", either(LEVELS), codes.ASIL_MISSPELLED)
+        return level
+
+    def number(self, name: str) -> float | None:
+        """Value of an attribute that has to be a number."""
+        number: float | None = self._of_kind(name, "a finite number", is_finite_number)
+        return number
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Value of an attribute that has to be a text or a list of texts."""
+        value = self._of_kind(name, "a list of names", _is_of_texts)
+        return (value,) if isinstance(value, str) else tuple(value or ())
+
+    def mapping(self, name: str) -> dict[str, Any] | None:
+        """Value of an attribute that has to be a mapping."""
+        value: dict[str, Any] | None = self._of_kind(name, "a mapping", lambda value: isinstance(value, dict))
         return value
-    context.problems.append(_not_expected(node, name, "a finite number", at))
-    return None
+
+    def _of_kind(self, name: str, expected: str, is_fit: Callable[[Any], bool]) -> Any:
+        value = self.node.values.get(name)
+        if value is None or is_fit(value):
+            return value
+        self._not_expected(name, expected)
+        return None
+
+    def _not_expected(self, name: str, expected: str, rule: RuleCode = codes.VALUE_UNFIT) -> None:
+        origin = self.node.definition.origin(name)
+        value = repr(self.node.values.get(name))[:60]
+        message = f"`{name}` of {self.node.path!r} must be {expected}, not {value} ({origin.file}:{origin.line})."
+        self.context.report(rule, self.at, message, subject=Subject("data", self.node.path, (name,)))
 
 
-def texts_of(node: Node, name: str, at: Pointer, context: Context) -> tuple[str, ...]:
-    """Value of an attribute that has to be a text or a list of texts."""
-    value = node.values.get(name)
-    values = [] if value is None else value if isinstance(value, list) else [value]
-    if all(isinstance(item, str) for item in values):
-        return tuple(values)
-    context.problems.append(_not_expected(node, name, "a list of names", at))
-    return ()
-
-
-def mapping_of(node: Node, name: str, at: Pointer, context: Context) -> dict[str, Any] | None:
-    """Value of an attribute that has to be a mapping."""
-    value = node.values.get(name)
-    if value is None or isinstance(value, dict):
-        return value
-    context.problems.append(_not_expected(node, name, "a mapping", at))
-    return None
-
-
-def _not_expected(node: Node, name: str, expected: str, at: Pointer) -> Problem:
-    origin = node.definition.origin(name)
-    value = repr(node.values.get(name))[:60]
-    message = f"`{name}` of {node.path!r} must be {expected}, not {value} ({origin.file}:{origin.line})."
-    return Problem(codes.VALUE_UNFIT, at, message, subject=Subject("data", node.path, (name,)))
+def _is_of_texts(value: Any) -> bool:
+    return all(isinstance(item, str) for item in (value if isinstance(value, list) else [value]))

@@ -5,7 +5,6 @@ from sigcat.catalogue.model.datatypes import element_of
 from sigcat.catalogue.model.near_units import advice
 from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
@@ -41,14 +40,12 @@ def method(item: MethodItem, at: Pointer, context: Context) -> Part[MethodInterf
 def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Part[Argument]:
     if element_of(item.datatype) not in context.datatypes:
         fix = did_you_mean(item.datatype, context.datatypes)
-        context.problems.append(
-            Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
-        )
+        context.report(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
         return Part(None, Origin(at))
     vocabulary = context.catalogue.vocabulary
     if item.unit is not None and vocabulary.is_unknown(item.unit):
         fix = advice(item.unit, vocabulary)
-        context.problems.append(Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix))
+        context.report(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix)
     made = Argument(
         name=item.name,
         datatype=context.types.reference(item.datatype),

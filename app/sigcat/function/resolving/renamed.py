@@ -1,12 +1,12 @@
 """A function whose interfaces bear another name: one mistake, not one at each of them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from sigcat import codes
 from sigcat.catalogue.model.interfaces import function_of
 from sigcat.function.declaration.declaration import Declaration
 from sigcat.function.document.field_types import VSS_PATH
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.resolving.context import Context
 
 _RULES = frozenset(
@@ -15,7 +15,7 @@ _RULES = frozenset(
 """Rules of findings about an interface that has the name of another function."""
 
 
-def told_once(problems: Sequence[Problem], declaration: Declaration, context: Context) -> Iterator[Problem]:
+def told_once(problems: Sequence[Problem], declaration: Declaration, context: Context) -> Problems:
     """The problems; where every call is one of another function, a single one instead of those that follow from it."""
     other = _other_name(declaration, context)
     if other:

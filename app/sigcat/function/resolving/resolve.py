@@ -44,7 +44,7 @@ def resolve(declaration: Declaration, document: Document, context: Context) -> R
 def _function(declaration: Declaration, document: Document, context: Context) -> Part[FunctionJson]:
     components = each(declaration.components, ("components",), context, _component)
     item = declaration.modes or ModesItem.model_validate({})
-    modes = [mode(active, ("modes", "active", index), context) for index, active in enumerate(item.active)]
+    modes = each(item.active, ("modes", "active"), context, mode)
     interfaces = mode_interfaces(item, ("modes",), context)
     code = code_interface(declaration.code, ("code",)) if declaration.code else None
     function = FunctionJson(

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
@@ -14,15 +13,7 @@ from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogL
 from sigcat.function.resolving.code import checkpoint
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.contracts import contract
-from sigcat.function.resolving.interfaces import (  # fmt: skip
-    asil_of,
-    error_name,
-    interface_node,
-    mapping_of,
-    number_of,
-    text_of,
-    texts_of,
-)
+from sigcat.function.resolving.interfaces import Attributes, error_name, interface_node
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values.numbers import plain_text
 
@@ -39,22 +30,23 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Part[Runnable]:
         errors = made.value.errors if made.value and made.value.errors else ()
         lost = (Subject("scheduling", item.interface), *(Subject("error", error.name) for error in errors))
         return Part(None, origin, (*made.missing, *lost))
-    scheduling = text_of(node, "scheduling") or ""
-    supervision = texts_of(node, "supervisionType", at, context)
+    attributes = Attributes(node, at, context)
+    scheduling = attributes.text("scheduling") or ""
+    supervision = attributes.texts("supervisionType")
     runnable = Runnable(
         name=interface_name(node.path),
-        description=Text(str(node.values.get("description") or "")),
-        run_type=text_of(node, "runType") or "",
-        cycle_time=number_of(node, "cycleTime", at, context),
-        stack_size=plain_text(number_of(node, "stackSize", at, context)),
-        previous_runnable=", ".join(texts_of(node, "previousRunnable", at, context)) or None,
-        execution_offset=plain_text(number_of(node, "executionOffset", at, context)),
+        description=attributes.description,
+        run_type=attributes.text("runType") or "",
+        cycle_time=attributes.number("cycleTime"),
+        stack_size=plain_text(attributes.number("stackSize")),
+        previous_runnable=", ".join(attributes.texts("previousRunnable")) or None,
+        execution_offset=plain_text(attributes.number("executionOffset")),
         parallel_processing=item.parallel,
-        asil_level=asil_of(node, at, context),
-        watchdog=_watchdog(node, at, context),
+        asil_level=attributes.asil,
+        watchdog=_watchdog(attributes),
         scheduling=_ON_THE_WIRE.get(scheduling, scheduling),
-        debounce_delay=plain_text(number_of(node, "debounceTime", at, context)),
-        priority=plain_text(number_of(node, "priority", at, context)) or "",
+        debounce_delay=plain_text(attributes.number("debounceTime")),
+        priority=plain_text(attributes.number("priority")) or "",
         events=", ".join(item.events) or None,
         contracts=(made.value,) if made.value else None,
         supervision_types=tuple(kind for kind in supervision if kind != "None") or None,
@@ -70,10 +62,10 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Part[Runnable]:
     return Part(runnable, origin, made.missing)
 
 
-def _watchdog(node: Node, at: Pointer, context: Context) -> Watchdog | None:
-    alive = mapping_of(node, "aliveSupervision", at, context)
-    deadline = mapping_of(node, "deadlineSupervision", at, context)
-    logical = mapping_of(node, "logicalSupervision", at, context)
+def _watchdog(attributes: Attributes) -> Watchdog | None:
+    alive = attributes.mapping("aliveSupervision")
+    deadline = attributes.mapping("deadlineSupervision")
+    logical = attributes.mapping("logicalSupervision")
     if alive is None and deadline is None and logical is None:
         return None
     return Watchdog(

@@ -1,5 +1,7 @@
 """Errors that a call reports, and safety conditions that it reacts to, as the catalogue declares them."""
 
+from typing import Any
+
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.interfaces import function_of, interface_name
 from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
@@ -11,7 +13,7 @@ from sigcat.function.function_json.interfaces.status_interfaces import ErrorInte
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context
-from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
+from sigcat.function.resolving.interfaces import Attributes, interface_node
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values.numbers import plain_text
 
@@ -21,24 +23,18 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Part[ErrorInterface
     node = interface_node(item.interface, "error", at, context, own=True)
     if node is None:
         return Part(None, Origin(at), (Subject("error", item.interface),))
+    attributes = Attributes(node, at, context)
     made = ErrorInterface(
-        name=interface_name(node.path),
-        description=Text(str(node.values.get("description") or "")),
-        datatype=_datatype(node, context),
-        dependencies=texts_of(node, "dependency", at, context),
+        dependencies=attributes.texts("dependency"),
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
-        maturation_time=number_of(node, "maturationTime", at, context) or 0,
-        severity=Text(text_of(node, "severity") or ""),
-        reset_time=number_of(node, "resetTime", at, context),
-        reset_condition=optional(text_of(node, "resetCondition")),
-        asil_level=asil_of(node, at, context),
-        vss_path=node.path,
-        variable=item.variable,
+        maturation_time=attributes.number("maturationTime") or 0,
+        severity=Text(attributes.text("severity") or ""),
+        reset_time=attributes.number("resetTime"),
+        reset_condition=optional(attributes.text("resetCondition")),
         status_variable=item.status_variable,
-        defined_by=word(item.defined_by),
-        c_type=item.c_type,
         reset=_reset(item.reset, context),
+        **_common(item, attributes),
     )
     return Part(made, Origin(at, written(item, at)))
 
@@ -53,20 +49,29 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Part[S
     node = interface_node(item.interface, "safety_reaction", at, context)
     if node is None:
         return Part(None, Origin(at))
+    attributes = Attributes(node, at, context)
     made = SafetyReaction(
-        name=interface_name(node.path),
-        description=Text(str(node.values.get("description") or "")),
-        datatype=_datatype(node, context),
-        errors=texts_of(node, "errorList", at, context),
-        asil_level=asil_of(node, at, context),
-        vss_path=node.path,
-        variable=item.variable,
-        defined_by=word(item.defined_by),
-        c_type=item.c_type,
+        errors=attributes.texts("errorList"),
         initial=item.initial,
         timeout=plain_text(item.timeout),
+        **_common(item, attributes),
     )
     return Part(made, Origin(at, written(item, at)))
+
+
+def _common(item: ErrorItem | ReactionItem, attributes: Attributes) -> dict[str, Any]:
+    """Fields that errors and safety reactions have."""
+    node = attributes.node
+    return {
+        "name": interface_name(node.path),
+        "description": attributes.description,
+        "datatype": _datatype(node, attributes.context),
+        "asil_level": attributes.asil,
+        "vss_path": node.path,
+        "variable": item.variable,
+        "defined_by": word(item.defined_by),
+        "c_type": item.c_type,
+    }
 
 
 def _datatype(node: Node, context: Context) -> str:

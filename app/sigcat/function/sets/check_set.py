@@ -1,7 +1,7 @@
 """A set of functions: what fits in each of them, and not together."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -117,9 +117,8 @@ def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catal
         if needs_provider(end, catalogue):
             message = f"No function provides {end.identity!r}, and it is not a signal of the standard."
             fix = "Add the function, or name the provider under `provider`. If this one provides it, write `role: provided`."
-            yield functions[end.function].finding(
-                codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.identity
-            )
+            rule = codes.CONSUMED_AND_NOT_PROVIDED
+            yield functions[end.function].finding(rule, end.pointer, message, fix, end.identity)
 
 
 def needs_provider(end: Side, catalogue: Catalogue) -> bool:
@@ -141,31 +140,33 @@ def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalog
         node = catalogue.get(end.identity)
         if node is not None and node.type != "attribute" and node.values.keys().isdisjoint(RECEIVED):
             message = f"{end.identity!r} comes from outside, and nothing maps it to a network."
-            yield functions[end.function].finding(
-                codes.CONSUMED_AND_NOT_MAPPED, end.pointer, message, path=end.identity
-            )
+            rule = codes.CONSUMED_AND_NOT_MAPPED
+            yield functions[end.function].finding(rule, end.pointer, message, path=end.identity)
 
 
 # -- order and errors ---------------------------------------------------------------------------------------------
 
 
-class _Call(NamedTuple):
-    """A call of a function, and where it stands."""
+_Part = TypeVar("_Part", Runnable, ErrorInterface)
+
+
+class _Placed(NamedTuple, Generic[_Part]):
+    """A call or an error of a function, and where it stands."""
 
     function: ResolvedFunction
     pointer: Pointer
-    call: Runnable
+    part: _Part
 
 
 def _order(functions: Sequence[ResolvedFunction]) -> Findings:
-    calls: dict[str, _Call] = {}
+    calls: dict[str, _Placed[Runnable]] = {}
     for function in functions:
         for pointer, _, runnable in runnables(function.function):
-            calls.setdefault(runnable.name, _Call(function, pointer, runnable))
+            calls.setdefault(runnable.name, _Placed(function, pointer, runnable))
     names = {function.name for function in functions}
-    circle_of = circles({n: previous_calls(each.call) for n, each in calls.items()}, "scheduling", "previousRunnable")
+    circle_of = circles({n: previous_calls(each.part) for n, each in calls.items()}, "scheduling", "previousRunnable")
     for name, call in calls.items():
-        for previous in previous_calls(call.call):
+        for previous in previous_calls(call.part):
             other = calls.get(previous)
             if other is None:
                 yield from _unknown_previous(name, call, previous, names, did_you_mean(previous, calls))
@@ -173,7 +174,9 @@ def _order(functions: Sequence[ResolvedFunction]) -> Findings:
                 yield from _across(call, other, is_circular=name in circle_of)
 
 
-def _unknown_previous(name: str, call: _Call, previous: str, functions: Iterable[str], hint: str) -> Findings:
+def _unknown_previous(
+    name: str, call: _Placed[Runnable], previous: str, functions: Iterable[str], hint: str
+) -> Findings:
     """A call of another function of the set that does not exist; those of this one are checked alone."""
     function = previous.rpartition("_")[0]
     if function in functions and function != call.function.name:
@@ -182,10 +185,10 @@ def _unknown_previous(name: str, call: _Call, previous: str, functions: Iterable
         yield call.function.finding(codes.PREVIOUS_CALL_OF_ANOTHER_UNKNOWN, pointer, message, hint, name)
 
 
-def _across(call: _Call, other: _Call, *, is_circular: bool) -> Findings:
+def _across(call: _Placed[Runnable], other: _Placed[Runnable], *, is_circular: bool) -> Findings:
     """An order of calls of two functions that cannot be kept."""
-    name, previous, pointer = call.call.name, other.call.name, (*call.pointer, "PrevRunnable")
-    found = contradiction(call.call, other.call)
+    name, previous, pointer = call.part.name, other.part.name, (*call.pointer, "PrevRunnable")
+    found = contradiction(call.part, other.part)
     if found:
         rule = codes.ORDER_CONTRADICTS_PRIORITY_OF_ANOTHER
         yield call.function.finding(rule, pointer, found.message, found.fix, name)
@@ -194,17 +197,9 @@ def _across(call: _Call, other: _Call, *, is_circular: bool) -> Findings:
         yield call.function.finding(codes.CALLS_OF_FUNCTIONS_IN_A_CIRCLE, pointer, message, path=name)
 
 
-class _Error(NamedTuple):
-    """An error of a function, and where it stands."""
-
-    function: ResolvedFunction
-    pointer: Pointer
-    error: ErrorInterface
-
-
 def _dependencies(functions: Sequence[ResolvedFunction]) -> Findings:
-    declared = {error.name: _Error(each, p, error) for each in functions for p, _, error in errors(each.function)}
-    circle_of = circles({name: each.error.dependencies for name, each in declared.items()}, "error", "dependency")
+    declared = {error.name: _Placed(each, p, error) for each in functions for p, _, error in errors(each.function)}
+    circle_of = circles({name: each.part.dependencies for name, each in declared.items()}, "error", "dependency")
     for name, (function, pointer, error) in declared.items():
         others = [
             other for other in error.dependencies if other in declared and declared[other].function is not function

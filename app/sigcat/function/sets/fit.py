@@ -122,7 +122,7 @@ def _range(provider: Side, consumer: Side) -> Mismatches:
         (keys[0], "down", given[0], wanted[0], -1),
         (keys[1], "up", given[1], wanted[1], 1),
     ):
-        if own is not None and other is not None and (own - other) * sign > _rounding(other):
+        if own is not None and other is not None and (own - other) * sign > abs(other) * _ROUNDING:
             message = (
                 f"The range of {consumer.identity!r} must go {end} to {float(own):g}, as {provider.function} provides it,"
                 f" not only to {float(other):g}."
@@ -132,9 +132,8 @@ def _range(provider: Side, consumer: Side) -> Mismatches:
             return
 
 
-def _rounding(limit: Fraction) -> Fraction:
-    """Rounding of limits that were converted and written as decimal numbers."""
-    return abs(limit) * Fraction(1, 10**9)
+_ROUNDING = Fraction(1, 10**9)
+"""Rounding of limits that were converted and written as decimal numbers."""
 
 
 def _range_of(datum: Signal | DataQueue) -> tuple[Fraction | None, Fraction | None]:

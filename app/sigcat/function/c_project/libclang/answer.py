@@ -18,7 +18,7 @@ class Answer:
         self.variables: list[Json] = []
         self.classes: list[Json] = []
         self.records: dict[str, Json] = {}
-        self.enumerations: dict[str, Json] = {}
+        self.enumerations: dict[str, list[Json]] = {}
         self.errors: list[Json] = []
         self.included: dict[str, list[str]] = {}
         """Files by the file that includes them."""

@@ -1,7 +1,5 @@
 """Functions, variables and classes of the files that are not known yet."""
 
-from ctypes import c_uint
-
 from clang import cindex
 from clang.cindex import AccessSpecifier, Cursor, CursorKind, StorageClass, TypeKind
 
@@ -12,12 +10,6 @@ from sigcat.function.c_project.libclang.values_of_c import value_of
 
 _MOST_BYTES = 64 * 1024
 """Largest variable whose value is read: pictures and tables are larger."""
-
-
-def declare_calls() -> None:
-    """Calls of libclang that its Python module leaves out."""
-    function = cindex.conf.lib.clang_Cursor_isFunctionInlined
-    function.argtypes, function.restype = [Cursor], c_uint
 
 
 def read_declarations(outer: Cursor, seen: set[str], answer: Answer) -> set[str]:
@@ -55,10 +47,10 @@ def _function(cursor: Cursor, answer: Answer) -> Json:
         "name": qualified(cursor),
         "result": type_of(cursor.result_type, answer),
         "parameters": [{"name": each.spelling, "type": type_of(each.type, answer)} for each in cursor.get_arguments()],
-        "defined": cursor.is_definition(),
-        "static": is_static,
-        "inline": bool(cindex.conf.lib.clang_Cursor_isFunctionInlined(cursor)),
-        **place_of(cursor),
+        "is_defined": cursor.is_definition(),
+        "is_static": is_static,
+        "is_inline": bool(cindex.conf.lib.clang_Cursor_isFunctionInlined(cursor)),
+        "place": place_of(cursor),
         **(uses_of(cursor) if cursor.is_definition() else {}),
     }
 
@@ -75,12 +67,12 @@ def _variable(cursor: Cursor, answer: Answer) -> Json:
         "name": qualified(cursor),
         "type": type_of(cursor.type, answer),
         "written": written_type(cursor.type),
-        "const": is_const,
-        "static": cursor.storage_class == StorageClass.STATIC,
-        "defined": cursor.storage_class != StorageClass.EXTERN or has_value,
+        "is_const": is_const,
+        "is_static": cursor.storage_class == StorageClass.STATIC,
+        "is_defined": cursor.storage_class != StorageClass.EXTERN or has_value,
         "value": value_of(value) if value is not None and has_value and is_small else None,
-        **place_of(cursor),
-        **(uses_of(cursor) if is_small else {}),
+        "place": place_of(cursor),
+        "uses": uses_of(cursor)["uses"] if is_small else [],
     }
 
 
@@ -97,7 +89,7 @@ def _class(cursor: Cursor, answer: Answer) -> Json:
             for each in children
             if each.kind == CursorKind.CXX_METHOD
         ],
-        **place_of(cursor),
+        "place": place_of(cursor),
     }
 
 

@@ -37,7 +37,7 @@ def type_of(kind: Any, answer: Answer, depth: int = 0) -> Json:
         return _array(kind, canonical, answer, depth)
     if canonical.kind in (TypeKind.POINTER, TypeKind.LVALUEREFERENCE):
         to = _inner(kind.get_pointee(), canonical.get_pointee())
-        return {"kind": "pointer", "const": to.is_const_qualified(), "to": type_of(to, answer, depth + 1)}
+        return {"kind": "pointer", "const": to.is_const_qualified(), "of": type_of(to, answer, depth + 1)}
     if canonical.kind == TypeKind.RECORD:
         return _struct(canonical, names, answer, depth)
     if canonical.kind == TypeKind.ENUM:
@@ -65,8 +65,8 @@ def _array(kind: Any, canonical: Any, answer: Answer, depth: int) -> Json:
     element = _inner(kind.get_array_element_type(), canonical.get_array_element_type())
     of = type_of(element, answer, depth + 1)
     if canonical.kind == TypeKind.CONSTANTARRAY:
-        return {"kind": "array", "count": canonical.get_array_size(), "of": of}
-    return {"kind": "pointer", "const": element.is_const_qualified(), "to": of}
+        return {"kind": "array", "length": canonical.get_array_size(), "of": of}
+    return {"kind": "pointer", "const": element.is_const_qualified(), "of": of}
 
 
 def _inner(written: Any, canonical: Any) -> Any:
@@ -123,10 +123,10 @@ def _record(cursor: Cursor, answer: Answer, depth: int) -> str:
         members = list(definition.get_children()) if definition is not None else []
         answer.records[key] = {
             "name": "" if cursor.is_anonymous() or "(" in cursor.spelling else qualified(cursor),
-            "union": cursor.kind == CursorKind.UNION_DECL,
-            "complete": definition is not None,
+            "is_union": cursor.kind == CursorKind.UNION_DECL,
+            "is_complete": definition is not None,
             "members": list(_members(members, answer, depth)),
-            **place_of(definition or cursor),
+            "place": place_of(definition or cursor),
         }
     return key
 
@@ -149,8 +149,8 @@ def member_of(cursor: Cursor, answer: Answer, depth: int = 0) -> Json:
         "key": cursor.get_usr(),
         "type": kind,
         "width": width,
-        "const": cursor.type.is_const_qualified(),
-        **place_of(cursor),
+        "is_const": cursor.type.is_const_qualified(),
+        "place": place_of(cursor),
     }
 
 
@@ -158,8 +158,5 @@ def _enumeration(cursor: Cursor, answer: Answer) -> str:
     key = str(cursor.get_usr())
     if key not in answer.enumerations:
         constants = [each for each in cursor.get_children() if each.kind == CursorKind.ENUM_CONSTANT_DECL]
-        answer.enumerations[key] = {
-            "constants": [{"name": each.spelling, "value": each.enum_value} for each in constants],
-            **place_of(cursor),
-        }
+        answer.enumerations[key] = [{"name": each.spelling, "value": each.enum_value} for each in constants]
     return key

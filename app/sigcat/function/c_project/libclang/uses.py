@@ -1,6 +1,5 @@
 """Names that functions use, and those that they write: variables, members, and other functions."""
 
-from ctypes import c_int
 from typing import Any
 
 from clang import cindex
@@ -10,13 +9,6 @@ from sigcat.function.c_project.libclang.answer import Json, qualified
 
 _ASSIGN, _FIRST_STEP, _LAST_STEP, _ADDRESS = 22, 1, 4, 5
 """Numbers of libclang: `=`; `++` and `--` behind and before; `&`."""
-
-
-def declare_calls() -> None:
-    """Calls of libclang that its Python module leaves out."""
-    for name in ("clang_getCursorBinaryOperatorKind", "clang_getCursorUnaryOperatorKind"):
-        function = getattr(cindex.conf.lib, name)
-        function.argtypes, function.restype = [Cursor], c_int
 
 
 def uses_of(cursor: Cursor) -> Json:

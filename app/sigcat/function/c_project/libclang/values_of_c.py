@@ -1,26 +1,11 @@
 """Values that variables have from the start, as far as clang can compute them."""
 
-from ctypes import c_double, c_int, c_longlong, c_void_p
 from typing import Any
 
 from clang import cindex
 from clang.cindex import Cursor, CursorKind
 
 from sigcat.function.c_project.libclang.answer import Json
-
-
-def declare_calls() -> None:
-    """Calls of libclang that its Python module leaves out."""
-    library = cindex.conf.lib
-    for name, argument, result in (
-        ("clang_Cursor_Evaluate", Cursor, c_void_p),
-        ("clang_EvalResult_getKind", c_void_p, c_int),
-        ("clang_EvalResult_getAsLongLong", c_void_p, c_longlong),
-        ("clang_EvalResult_getAsDouble", c_void_p, c_double),
-        ("clang_EvalResult_dispose", c_void_p, None),
-    ):
-        function = getattr(library, name)
-        function.argtypes, function.restype = [argument], result
 
 
 def value_of(cursor: Cursor) -> Any:

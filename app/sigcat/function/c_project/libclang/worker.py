@@ -2,9 +2,8 @@
 
 The request, on standard input, has `texts` (by path; nothing else is read), `units` (paths to parse, each with its
 language), `folders` (in which headers are searched), `target` (of clang), `definitions` (of the preprocessor), `megabytes`
-(of memory), `seconds` and `declarations`, which is false if only errors are asked for. The answer, on standard output, has
-`functions`, `variables`, `classes`, `records` and `enumerations`, each with its file and line, `errors` of the compiler,
-and `included` by file.
+(of memory), `seconds` and `declarations`, which is false if only errors are asked for. The answer, on standard output, is
+`Declarations`, with the names of its fields.
 
 `python -P -m sigcat.function.c_project.libclang.worker`; nothing else imports this room, as libclang may not be installed.
 """
@@ -13,14 +12,15 @@ import json
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from ctypes import c_double, c_int, c_longlong, c_uint, c_void_p
 from pathlib import Path
 from typing import Any
 
 from clang import cindex
+from clang.cindex import Cursor
 
-from sigcat.function.c_project.libclang import read_declarations as declared
-from sigcat.function.c_project.libclang import uses, values_of_c
 from sigcat.function.c_project.libclang.answer import ROOT, Answer, Json, inside
+from sigcat.function.c_project.libclang.read_declarations import read_declarations
 
 _SYSTEM = "/sigcat-system/"
 _SYSTEM_HEADERS = Path(__file__).with_name("system_headers")
@@ -36,9 +36,7 @@ def main() -> None:
     """Answer the request."""
     request = json.load(sys.stdin)
     _bound(request["megabytes"], request["seconds"])
-    values_of_c.declare_calls()
-    uses.declare_calls()
-    declared.declare_calls()
+    _declare_calls()
     answer, seen = Answer(), set[str]()
     index = cindex.Index.create()
     system_headers = {each.name: each.read_text("utf-8") for each in _SYSTEM_HEADERS.iterdir()}
@@ -47,8 +45,24 @@ def main() -> None:
         _note_includes(unit, answer)
         answer.errors += _errors(unit)
         if request["declarations"]:
-            seen |= declared.read_declarations(unit.cursor, seen, answer)
+            seen |= read_declarations(unit.cursor, seen, answer)
     json.dump(vars(answer), sys.stdout)
+
+
+def _declare_calls() -> None:
+    """Calls of libclang that its Python module leaves out."""
+    for name, argument, result in (
+        ("clang_Cursor_isFunctionInlined", Cursor, c_uint),
+        ("clang_getCursorBinaryOperatorKind", Cursor, c_int),
+        ("clang_getCursorUnaryOperatorKind", Cursor, c_int),
+        ("clang_Cursor_Evaluate", Cursor, c_void_p),
+        ("clang_EvalResult_getKind", c_void_p, c_int),
+        ("clang_EvalResult_getAsLongLong", c_void_p, c_longlong),
+        ("clang_EvalResult_getAsDouble", c_void_p, c_double),
+        ("clang_EvalResult_dispose", c_void_p, None),
+    ):
+        function = getattr(cindex.conf.lib, name)
+        function.argtypes, function.restype = [argument], result
 
 
 def _bound(megabytes: int, seconds: int) -> None:
@@ -76,11 +90,10 @@ def _errors(unit: Any) -> Iterator[Json]:
         file = each.location.file.name if each.location.file else ""
         yield {
             "message": each.spelling,
-            "file": inside(file),
-            "line": each.location.line,
+            "place": {"file": inside(file), "line": each.location.line},
             "column": each.location.column,
-            "own": each.category_name == "User-Defined Issue",
-            "syntax": each.category_name == "Parse Issue",
+            "is_own": each.category_name == "User-Defined Issue",
+            "is_syntax": each.category_name == "Parse Issue",
         }
 
 

@@ -1,24 +1,19 @@
 """The graph of the logical supervision: calls that may follow each other."""
 
-from collections.abc import Iterator
-
 from sigcat import codes
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import Located, runnables
 from sigcat.names import did_you_mean
-
-Problems = Iterator[Problem]
 
 
 def check_checkpoints(function: FunctionJson) -> Problems:
     """Every problem of the graph."""
     calls = {located.runnable.name: located for located in runnables(function)}
     graph = {name: located.runnable.checkpoint for name, located in calls.items() if located.runnable.checkpoint}
-    supervised = [
-        located for located in calls.values() if located.runnable.watchdog and located.runnable.watchdog.logical
-    ]
+    watchdogs = ((located, located.runnable.watchdog) for located in calls.values())
+    supervised = [located for located, watchdog in watchdogs if watchdog and watchdog.logical]
     unknown = list(_unknown(graph, calls))
     yield from unknown
     if not unknown:
@@ -40,11 +35,8 @@ def _unknown(graph: dict[str, Checkpoint], calls: dict[str, Located]) -> Problem
                 is_call = following in calls
                 what = "a call with a checkpoint" if is_call else "a call of the function"
                 message = f"After {name} must follow {what}, not {following!r}."
-                fix = (
-                    "Give that call a `checkpoint`."
-                    if is_call
-                    else did_you_mean(following, calls) or did_you_mean(following, last_names)
-                )
+                near = did_you_mean(following, calls) or did_you_mean(following, last_names)
+                fix = "Give that call a `checkpoint`." if is_call else near
                 at, subject = (*calls[name].pointer, "Checkpoint", "Next", index), Subject("scheduling", name)
                 yield Problem(codes.CHECKPOINT_UNKNOWN, at, message, fix, subject, Subject("scheduling", following))
 
@@ -54,10 +46,8 @@ def _unreached(graph: dict[str, Checkpoint], calls: dict[str, Located]) -> Probl
     reached = {name for name, checkpoint in graph.items() if checkpoint.initial}
     if graph and not reached:
         name = next(iter(graph))
-        message, fix = (
-            "A sequence must begin with a checkpoint; none is initial.",
-            "Write `initial: true` at the first call.",
-        )
+        message = "A sequence must begin with a checkpoint; none is initial."
+        fix = "Write `initial: true` at the first call."
         at, subject = (*calls[name].pointer, "Checkpoint"), Subject("scheduling", name)
         yield Problem(codes.CHECKPOINT_UNREACHED, at, message, fix, subject)
         return

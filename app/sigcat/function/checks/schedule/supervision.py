@@ -5,12 +5,10 @@ from collections.abc import Collection, Iterator
 from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.function_json.walk import Located, errors, runnables
-
-Problems = Iterator[Problem]
 
 
 def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> Problems:
@@ -28,9 +26,8 @@ def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> 
         for at, attribute, name in _errors(pointer, watchdog):
             if name and name not in declared:
                 call = located.runnable.name
-                message = (
-                    f"The error of the supervision of {call} must be one that the function declares, not {name!r}."
-                )
+                what = f"The error of the supervision of {call}"
+                message = f"{what} must be one that the function declares, not {name!r}."
                 fix = declared_or_meant(name, declared, known_errors)
                 subject, cause = Subject("scheduling", call, (attribute,)), Subject("error", name)
                 yield Problem(codes.SUPERVISION_ERROR_UNDECLARED, at, message, fix, subject, cause)
@@ -38,13 +35,9 @@ def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> 
 
 def _errors(pointer: Pointer, watchdog: Watchdog) -> Iterator[tuple[Pointer, str, str | None]]:
     """The errors that the watchdog sets, each with its pointer and the attribute of the catalogue that names it."""
-    alive, deadline = watchdog.alive, watchdog.deadline
-    yield (*pointer, "AliveSupervision", "ErrorName"), "aliveSupervision", alive.error_name if alive else None
-    yield (
-        (*pointer, "DeadlineSupervision", "ErrorName"),
-        "deadlineSupervision",
-        deadline.error_name if deadline else None,
-    )
+    for kind, limits in (("Alive", watchdog.alive), ("Deadline", watchdog.deadline)):
+        if limits:
+            yield (*pointer, f"{kind}Supervision", "ErrorName"), f"{kind.lower()}Supervision", limits.error_name
     yield (*pointer, "LogicalError"), "logicalSupervision", watchdog.logical_error
 
 
@@ -78,7 +71,6 @@ def _types(located: Located) -> Problems:
     for kind in located.runnable.supervision_types or ():
         if not limits.get(kind, True):
             message = f"{name} is under {kind.lower()} supervision, but has no limits for it."
-            subject = Subject("scheduling", name, (f"{kind.lower()}Supervision",))
-            yield Problem(
-                codes.SUPERVISION_WITHOUT_LIMITS, (*located.pointer, "SupervisionType"), message, subject=subject
-            )
+            at, attribute = (*located.pointer, "SupervisionType"), f"{kind.lower()}Supervision"
+            subject = Subject("scheduling", name, (attribute,))
+            yield Problem(codes.SUPERVISION_WITHOUT_LIMITS, at, message, subject=subject)

@@ -5,15 +5,16 @@ from decimal import Decimal
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, milliseconds, whole_nanoseconds
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import data, errors, methods, runnables, safety_reactions
+from sigcat.function.function_json.walk import errors, runnables, subject_of, timed
 
 _MOST_DIGITS = 30
 
 
-def check_times(function: FunctionJson) -> Iterator[Problem]:
+def check_times(function: FunctionJson) -> Problems:
     """Every time that cannot be counted."""
     for pointer, time, subject in _times(function):
         number = milliseconds(time) if isinstance(time, str) else time
@@ -57,9 +58,6 @@ def _times(function: FunctionJson) -> Iterator[tuple[Pointer, float | str | None
             ("ResetTime", error.reset_time, "resetTime"),
         ):
             yield (*pointer, key), time, Subject("error", error.name, (attribute,))
-    for pointer, _, item in data(function):
-        yield (*pointer, "Timeout"), item.timeout, Subject("data", item.vss_path or item.name)
-    for pointer, _, reaction in safety_reactions(function):
-        yield (*pointer, "Timeout"), reaction.timeout, Subject("safety_reaction", reaction.name)
-    for pointer, _, method in methods(function):
-        yield (*pointer, "Timeout"), method.timeout, Subject("method", method.name)
+    for pointer, item in timed(function):
+        name = (item.vss_path if isinstance(item, Signal | DataQueue) else None) or item.name
+        yield (*pointer, "Timeout"), item.timeout, subject_of(item)._replace(name=name)

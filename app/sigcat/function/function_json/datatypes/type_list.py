@@ -75,30 +75,28 @@ class TypeList:
         element = self.reference(element_of(datatype), template, symbols)
         size = length if isinstance(length, int) and not isinstance(length, bool) and length >= 0 else None
         c = self._types[element].c_definition if element in self._types else f"struct {last_name(element_of(datatype))}"
-        return self._add(
-            Datatype(
-                reference=f"{element}Array{size if size is not None else ''}",
-                category="userdefined",
-                c_definition=f"{c}[{size}]" if size is not None else f"{c} *",
-                kind="array",
-                vss_datatype=datatype,
-                element=element,
-                length=size,
-            )
+        made = Datatype(
+            reference=f"{element}Array{size if size is not None else ''}",
+            category="userdefined",
+            c_definition=f"{c}[{size}]" if size is not None else f"{c} *",
+            kind="array",
+            vss_datatype=datatype,
+            element=element,
+            length=size,
         )
+        return self._add(made)
 
     def _enumeration(self, datatype: str, template: str, symbols: Symbols) -> str:
         stored = datatype if datatype in INTEGER_RANGES else smallest_integer(symbols)
-        return self._add(
-            Datatype(
-                reference=_reference(template),
-                category="userdefined",
-                c_definition=BY_VSS[stored].c,
-                kind="enumeration",
-                vss_datatype=stored,
-                symbols=listed(symbols),
-            )
+        made = Datatype(
+            reference=_reference(template),
+            category="userdefined",
+            c_definition=BY_VSS[stored].c,
+            kind="enumeration",
+            vss_datatype=stored,
+            symbols=listed(symbols),
         )
+        return self._add(made)
 
     def _struct(self, path: str) -> str:
         if path in self._open:
@@ -109,17 +107,16 @@ class TypeList:
         fields = tuple(self._field(child) for child in children)
         del self._open[path]
         name = f"struct {last_name(path)}"
-        return self._add(
-            Datatype(
-                reference=_reference(path),
-                category="userdefined",
-                c_definition=name,
-                kind="struct",
-                vss_datatype=path,
-                fields=fields,
-                description=node.values.get("description") if node else None,
-            )
+        made = Datatype(
+            reference=_reference(path),
+            category="userdefined",
+            c_definition=name,
+            kind="struct",
+            vss_datatype=path,
+            fields=fields,
+            description=node.values.get("description") if node else None,
         )
+        return self._add(made)
 
     def _field(self, node: Node) -> TypeField:
         values = node.values

@@ -24,7 +24,6 @@ from sigcat.function.function_json.datatypes.datatype import EnumerationValue
 from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, errors_set_by
 from sigcat.function.function_json.wire import (
     PHYSICAL,
-    TABLE,
     Integer,
     Listed,
     Number,
@@ -33,6 +32,7 @@ from sigcat.function.function_json.wire import (
     described,
     optional,
     own,
+    tabled,
 )
 
 RejectionErrorName = Annotated[Name | None, SetsError("rejected messages", is_of_consumer=True)]
@@ -62,9 +62,7 @@ class Signal(WireModel):
     timeout_error: SetErrorName = described(
         "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source="paper, figure 7"
     )
-    type: Name | None = described(
-        "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
-    )
+    type: Name | None = tabled("Type", "Kind of the interface: sensor, actuator or attribute.")
     resolution: Number | None = own("Resolution", "Smallest step between two values.", unit=PHYSICAL)
     vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
@@ -128,21 +126,15 @@ class DataQueue(WireModel):
     offset: Number = described("Offset", "Offset of the scaling, in the unit of the signal.", unit=PHYSICAL)
     init_value: Number = described("InitValue", "Value before the first one arrives.", unit=PHYSICAL)
     units: UnitKey = described("Units", "Unit of the physical value; empty if it has none.")
-    min: Number | None = described(
-        "Min", "Smallest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
-    )
-    max: Number | None = described(
-        "Max", "Largest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
-    )
+    min: Number | None = tabled("Min", "Smallest valid value, after scaling.", unit=PHYSICAL)
+    max: Number | None = tabled("Max", "Largest valid value, after scaling.", unit=PHYSICAL)
     default: Number | None = own("Default", "Value that replaces a missing one.", unit=PHYSICAL)
     resolution: Number | None = own("Resolution", "Smallest step between two values.", unit=PHYSICAL)
     access: Name | None = own("Access", "As in a signal.")
     timeout: Quantity | None = own("Timeout", "Longest time between two values, as a number in a text.", unit="ms")
     timeout_error: SetErrorName = own("TimeoutError", "Error interface that is set when the time-out passes.")
     range_error_action: Name | None = own("RangeErrorAction", "What replaces a value out of range: Default or Init.")
-    type: Name | None = described(
-        "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
-    )
+    type: Name | None = tabled("Type", "Kind of the interface: sensor, actuator or attribute.")
     vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
     vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")

@@ -24,6 +24,7 @@ from sigcat.function.function_json.wire import (
     always,
     described,
     own,
+    tabled,
 )
 
 
@@ -54,12 +55,10 @@ class ErrorInterface(WireModel):
         unit="ns",
     )  # fmt: skip
     severity: Text = described("Severity", "What the error leads to.")
-    reset_time: Number | None = described(
-        "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
+    reset_time: Number | None = tabled(
+        "ResetTime", "Time from the reset condition to the reset of the error.", unit="ms"
     )
-    reset_condition: Text | None = described(
-        "ResetCondition", "Condition that resets the error.", default=None, source=TABLE
-    )
+    reset_condition: Text | None = tabled("ResetCondition", "Condition that resets the error.")
     asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own(

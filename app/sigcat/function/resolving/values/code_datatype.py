@@ -1,12 +1,12 @@
 """The datatype in which the code holds a value, and the numbers of an enumeration."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.datatypes import DATATYPES, INTEGER_RANGES, element_of, is_array
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
 from sigcat.function.function_json.datatypes.type_list import Symbols, smallest_integer, symbols_of
 from sigcat.function.resolving.context import Context
@@ -21,14 +21,14 @@ def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Symbo
         return symbols
     if symbols is None:
         message = f"{item.path!r} must be an enumeration to have `values`: the catalogue allows no named values."
-        context.problems.append(Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`."))
+        context.report(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`.")
         return None
     miscoded = tuple(_miscoded(item.values, symbols, (*at, "values")))
     context.problems.extend(miscoded)
     return symbols if miscoded else item.values
 
 
-def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Iterator[Problem]:
+def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Problems:
     missing = [name for name in symbols if name not in values]
     if missing:
         message, fix = f"`values` must have {', '.join(map(repr, missing))}.", "Give each allowed value a number."
@@ -49,9 +49,7 @@ def code_datatype(item: Item, at: Pointer, node: Node, symbols: Symbols | None, 
         return _stored(own, symbols)
     message, fix = _other_datatype(own, wanted, symbols)
     if message:
-        context.problems.append(
-            Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
-        )
+        context.report(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
         return None
     return wanted
 

@@ -77,6 +77,6 @@ def scale_of(item: Item, at: Pointer, context: Context) -> Linear:
     if item.factor == 0:
         subject = Subject("data", item.path)
         message, fix = "`factor` must not be 0, which loses every value.", "Remove it, or give the scale of the code."
-        context.problems.append(Problem(codes.CONVERSION_LOSES_RANGE, (*at, "factor"), message, fix, subject))
+        context.report(codes.CONVERSION_LOSES_RANGE, (*at, "factor"), message, fix, subject)
         return IDENTITY
     return Linear(fraction(1 if item.factor is None else item.factor), fraction(item.offset or 0))

@@ -29,8 +29,6 @@ def shown(value: Fraction) -> str:
     """A fraction in a message; it may be larger than any double, as the largest one in another unit is."""
     if abs(value) > Fraction(sys.float_info.max):
         return f"{Decimal(value.numerator) / value.denominator:.4g}"
-    return f"{as_number(value):.12g}" if value.denominator != 1 else _whole_number_text(value)
-
-
-def _whole_number_text(value: Fraction) -> str:
+    if value.denominator != 1:
+        return f"{as_number(value):.12g}"
     return str(value.numerator) if abs(value) < 10**21 else f"{float(value):.4g}"

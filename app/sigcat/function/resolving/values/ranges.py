@@ -1,12 +1,11 @@
 """The range of a value in the code's unit, and whether the code can hold it."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, LARGEST_ROUNDED_TO_FLOAT, element_of, is_numeric
 from sigcat.function.declaration.declaration import DataItem
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Problems
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.function.resolving.context import Context
@@ -50,7 +49,7 @@ def _own_range(code: CodeValue) -> OpenRange:
     return (None, None) if is_upside_down(low, high) else (low, high)
 
 
-def _widened(code: CodeValue, own: OpenRange) -> Iterator[Problem]:
+def _widened(code: CodeValue, own: OpenRange) -> Problems:
     """The code may narrow the range of a signal, not widen it."""
     if code.symbols is not None:
         return
@@ -62,7 +61,7 @@ def _widened(code: CodeValue, own: OpenRange) -> Iterator[Problem]:
             yield code.problem(codes.RANGE_WIDER_THAN_CATALOGUE, (*code.at, name), message, fix)
 
 
-def _symbols_beyond(code: CodeValue) -> Iterator[Problem]:
+def _symbols_beyond(code: CodeValue) -> Problems:
     limits = value_range(element_of(code.datatype))
     for name, number in (code.symbols or {}).items():
         if limits and not limits[0] <= number <= limits[1]:
@@ -73,7 +72,7 @@ def _symbols_beyond(code: CodeValue) -> Iterator[Problem]:
 # -- what is lost -------------------------------------------------------------------------------------------------
 
 
-def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Problems:
     """A datatype or a scale that cannot hold what the catalogue promises, or promises less than it gives."""
     own, stored = element_of(code.own_datatype), element_of(code.datatype)
     if _is_wide(stored, own):
@@ -95,7 +94,7 @@ def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Itera
         yield code.problem(codes.FRACTIONS_LOST, (*code.at, "datatype"), message, "Give a `factor`, such as 0.01.")
 
 
-def _beyond_float(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+def _beyond_float(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Problems:
     """Yield a problem for a limit that a float on either side cannot hold. A limit of the catalogue is checked there."""
     in_code = _converted(_FLOAT, code.scale) if element_of(code.datatype) == "float" else None
     in_catalogue = _converted(_FLOAT, code.to_code) if element_of(code.own_datatype) == "float" else None
@@ -131,7 +130,7 @@ _DIGITS = {"float": 2**24, "double": 2**53}
 """Up to where a floating-point number tells each integer from the next."""
 
 
-def _digits_lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+def _digits_lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Problems:
     """An integer that is read as a floating-point number, or sent as one, beyond where that has each integer."""
     own, stored = element_of(code.own_datatype), element_of(code.datatype)
     is_provided = isinstance(code.item, DataItem) and code.item.role == "provided"

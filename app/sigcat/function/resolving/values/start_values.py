@@ -1,6 +1,5 @@
 """The value of a signal before the first one arrives, and the default that replaces a missing one."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -8,13 +7,13 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
 from sigcat.catalogue.reading.yaml_scalars import number_advice
 from sigcat.function.declaration.declaration import DataItem
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.yaml_words import in_yaml
-from sigcat.function.function_json.conversion import as_number
+from sigcat.function.function_json.conversion import as_number, as_written, is_outside
 from sigcat.function.function_json.datatypes.type_list import Symbols
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.values.code_value import CodeValue
-from sigcat.function.resolving.values.numbers import fraction, optional_number
+from sigcat.function.resolving.values.numbers import optional_number
 
 
 def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None, context: Context) -> float | None:
@@ -30,20 +29,17 @@ def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None, co
     is_between = number is not None and not is_outside(number, low, high)
     if number is None or (is_between and code.symbols and number not in code.symbols.values()):
         message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {in_yaml(given)}."
-        fix = "Write one of these." if code.symbols or is_boolean else _number_advice(given)
+        advice = number_advice(given) if isinstance(given, str) else ""
+        fix = "Write one of these." if code.symbols or is_boolean else advice
         context.problems.append(code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix))
     return optional_number(number)
-
-
-def _number_advice(given: Any) -> str:
-    return number_advice(given) if isinstance(given, str) else ""
 
 
 def _is_boolean(code: CodeValue) -> bool:
     return element_of(code.own_datatype) == "boolean"
 
 
-def _boolean_default(code: CodeValue) -> Iterator[Problem]:
+def _boolean_default(code: CodeValue) -> Problems:
     """Trees in use have true and false as defaults of numbers; they are read as 1 and 0."""
     default = code.node.values.get("default")
     if isinstance(default, bool) and not _is_boolean(code):
@@ -51,11 +47,6 @@ def _boolean_default(code: CodeValue) -> Iterator[Problem]:
         message = f"The default of {code.item.path!r} must be {wanted}, not {in_yaml(default)}."
         fix, subject = "Change the default in the catalogue.", Subject("data", code.node.path, ("default",))
         yield Problem(codes.START_VALUE_OUT_OF_RANGE, code.at, message, fix, subject)
-
-
-def is_outside(number: Fraction, low: Fraction | None, high: Fraction | None) -> bool:
-    """Whether a number lies outside a range that may be open."""
-    return (low is not None and number < low) or (high is not None and number > high)
 
 
 def _wanted(code: CodeValue, *, is_boolean: bool) -> str:
@@ -68,7 +59,7 @@ def _wanted(code: CodeValue, *, is_boolean: bool) -> str:
     return "true or false" if is_boolean else "a number"
 
 
-def _not_carried(code: CodeValue) -> Iterator[Problem]:
+def _not_carried(code: CodeValue) -> Problems:
     """Function JSON has no text as the start value of a signal; a parameter's default it has in any form."""
     default = code.node.values.get("default") if isinstance(code.item, DataItem) else None
     given = default if code.item.init is None else code.item.init
@@ -97,9 +88,4 @@ def default_of(code: CodeValue) -> float | None:
 def _number(value: Any, symbols: Symbols | None) -> Fraction | None:
     if isinstance(value, str) and symbols is not None:
         return Fraction(symbols[value]) if value in symbols else None
-    if isinstance(value, bool):
-        return Fraction(int(value))
-    try:
-        return fraction(value) if isinstance(value, int | float) else None
-    except ValueError:  # not a finite number
-        return None
+    return as_written(value)

@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, SIGNALS
 from sigcat.function.extension.overlay import statement_text
-from sigcat.function.importing.yaml_edits import inline
-from sigcat.function.importing.yaml_text import scalar
+from sigcat.function.importing.yaml_text import inline, scalar
 from sigcat.web.views.node_view import ordered
 from sigcat.web.views.overlay_draft import new_node
 
