@@ -17,7 +17,7 @@ from sigcat.registry.decisions.acknowledgements import Deprecation, deprecations
 from sigcat.registry.decisions.approvals import Pending, pending
 from sigcat.registry.events import event_name
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
-from sigcat.registry.reference import DEPLOYABLE, Kind
+from sigcat.registry.reference import DEPLOYABLE, KIND_OF, Kind
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Entry, now
@@ -34,8 +34,6 @@ _DELIVERIES = 100
 """Deliveries on the page."""
 _FUNCTIONS, _LINES = 20, 8
 """Rows and columns of the matrix."""
-GROUPS: Mapping[str, Kind] = {"functions": "function", "overlays": "overlay", "catalogues": "catalogue"}
-"""Kinds of names by the part of an address."""
 
 
 class NameRow(NamedTuple):
@@ -192,7 +190,7 @@ def _newest(versions: Sequence[Published]) -> Published | None:
 
 def name_view(connection: Snapshot, group: str, name: str, old: str = "", new: str = "") -> NameView:
     """Return the versions of a name. Without two versions given, the last two are compared. Raises NotFound."""
-    kind = _known("kind", group, GROUPS)
+    kind = _known("kind", group, KIND_OF)
     versions = all_versions(connection, kind, name)
     if not versions:
         raise NotFound(f"Unknown {kind} {name[:100]!r}.", nearest(name[:100], names_of(connection, kind)))
