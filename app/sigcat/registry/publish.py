@@ -68,8 +68,7 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
                 outcomes.append(_publish(ledger, each, known, candidates, is_draft=is_draft))
         if findings:
             raise refused(*findings)
-        last = ledger.head
-    return Receipt(tuple(outcomes), last.hash if last else "")
+        return Receipt(tuple(outcomes), ledger.head_hash)
 
 
 class _Known(NamedTuple):

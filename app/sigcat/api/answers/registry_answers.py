@@ -21,7 +21,7 @@ from sigcat.registry.reference import DEPLOYABLE, GROUP_OF, KIND_OF, KINDS, Kind
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Link
-from sigcat.registry.storing.ledger import head, link_with, log_page
+from sigcat.registry.storing.ledger import head, last_number, link_with, log_page
 from sigcat.registry.use import Use, from_json
 from sigcat.registry.users import User, users_in
 
@@ -54,8 +54,7 @@ def events(connection: Snapshot, after: int, most: int) -> schemas.RegistryEvent
     """Events of the entries behind a number. A number beyond the log is that of another log: `epoch` is the last one here."""
     links, source = log_page(connection, after, most), source_of(connection)
     found = [schemas.RegistryEvent.model_validate(event_of(each, source)) for each in links]
-    last = head(connection)
-    epoch = links[-1].number if links else min(after, last.number if last else 0)
+    epoch = links[-1].number if links else min(after, last_number(connection))
     return schemas.RegistryEventList(registry_events=found, epoch=epoch)
 
 

@@ -21,7 +21,7 @@ from sigcat.registry.reference import DEPLOYABLE, KIND_OF, Kind
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Entry, now
-from sigcat.registry.storing.ledger import head, log_page
+from sigcat.registry.storing.ledger import last_number, log_page
 from sigcat.registry.use import from_json
 from sigcat.registry.webhooks.deliveries import count_deliveries, deliveries
 
@@ -159,8 +159,7 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
     versions = all_versions(connection)
     lines = lines_by_version(connection)
     rows = tuple(_name_rows(versions, lines))
-    last = head(connection)
-    number = last.number if last else 0
+    number = last_number(connection)
     entries = tuple(
         (each.entry, event_name(each.entry)) for each in log_page(connection, max(0, number - ENTRIES), ENTRIES)
     )
