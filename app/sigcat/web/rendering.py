@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fastapi import Request
-from fastapi.responses import HTMLResponse
+from fastapi.responses import HTMLResponse, Response
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from sigcat import __version__
@@ -96,6 +96,12 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def text_file(text: str, name: str, media_type: str) -> Response:
+    """A text as a file to be kept."""
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
+    return Response(text.encode("utf-8", "replace"), media_type=f"{media_type}; charset=utf-8", headers=headers)
 
 
 def _basket_of(visit: Visit, *, is_problem: bool) -> Basket:

@@ -14,11 +14,10 @@ from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
 from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader, Writer
-from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.dependencies import FileName, ThePostedWork, TheWorkQueue, takes_text
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.requests.thread_turns import to_the_end
 from sigcat.api.routes.functions import DECLARATION
-from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import UsageError
@@ -174,9 +173,7 @@ async def set_compatibility_rule(
 async def in_turn(request: Request, write: Callable[[], _Result]) -> _Result:
     """Return the result of writing in a thread: one request writes, others wait without a thread."""
     turns: Turns = request.app.state.registry_turns
-    client = client_of(request)
-    mark_quota(request, turns.quota_of(client, "registry"))
-    return await turns.to_the_end(client, lambda: run_in_threadpool(write))
+    return await to_the_end(request, turns, "registry", lambda: run_in_threadpool(write))
 
 
 async def _recorded(writer: Writer, action: "Action", function: str, line: str) -> Response:
