@@ -23,7 +23,7 @@ from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Link
 from sigcat.registry.storing.ledger import head, last_number, link_with, log_page
 from sigcat.registry.use import Use, from_json
-from sigcat.registry.users import User, users_in
+from sigcat.registry.users import users_in
 
 
 def registry(connection: Snapshot) -> schemas.Registry:
@@ -175,16 +175,16 @@ def _use(use: Use) -> schemas.RegistryUse:
 def users(connection: Snapshot, path: str, over: Catalogue, *, is_complete: bool) -> schemas.RegistryUserList:
     """Users of an element, or of the instances of a definition. Raises InputRefused if the path is unknown."""
     found = users_in(connection, path, over, is_complete=is_complete)
-    return schemas.RegistryUserList(users=[_user(each) for each in found.users], more=found.more)
-
-
-def _user(user: User) -> schemas.RegistryUser:
-    return schemas.RegistryUser(
-        **_reference(user.published),
-        vehicle_lines=list(user.lines),
-        through=list(user.through),
-        use=_use(user.use),
-    )
+    users = [
+        schemas.RegistryUser(
+            **_reference(each.published),
+            vehicle_lines=list(each.lines),
+            through=list(each.through),
+            use=_use(each.use),
+        )
+        for each in found.users
+    ]
+    return schemas.RegistryUserList(users=users, more=found.more)
 
 
 def lines(connection: Snapshot, only: str | None) -> schemas.VehicleLineList:

@@ -68,7 +68,8 @@ class Server(NamedTuple):
         _refuse_empty(self)
         groups = sorted(GROUP_OF.values()) if kind is None else [GROUP_OF[kind]]
         named = (each for group in groups for each in sorted(_names(self, group), key=lambda each: str(each["name"])))
-        return tuple(_listed(version) for each in named for version in each["versions"])
+        found = [version for each in named for version in each["versions"]]
+        return tuple(Listed(_ending(each, each["lifecycle"]), tuple(each["vehicle_lines"])) for each in found)
 
     @_understood
     def content(self, kind: Kind, reference: Reference, *, is_resolved: bool) -> bytes:
@@ -341,10 +342,6 @@ def _approval(data: _JSON) -> Approval:
 
 def _reference(data: _JSON) -> Reference:
     return Reference(data["name"], data["versionid"])
-
-
-def _listed(data: _JSON) -> Listed:
-    return Listed(_ending(data, data["lifecycle"]), tuple(data["vehicle_lines"]))
 
 
 def _ending(data: _JSON, state: State) -> Published:

@@ -6,7 +6,7 @@ from fastapi.responses import Response
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheWorkQueue
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.comparison.report.html import fragment
-from sigcat.comparison.report.model import Report, read_report
+from sigcat.comparison.report.model import read_report
 from sigcat.errors import InputRefused, NotFound
 from sigcat.function.hosted_comparisons import HostedComparison, HostedComparisons, comparison_named
 from sigcat.function.hosted_files import HostedFiles
@@ -38,7 +38,7 @@ def _page(
     visit: Visit, hosted: Hosted, files: HostedFiles, comparisons: HostedComparisons, chosen: HostedComparison
 ) -> Response:
     try:
-        report, problem = _read(chosen), ""
+        report, problem = read_report(_bytes(chosen), chosen.name), ""
     except InputRefused as refused:
         report, problem = None, str(refused)
     return page_for(
@@ -53,10 +53,6 @@ def _page(
         problem=problem,
         told=fragment(report) if report else "",
     )
-
-
-def _read(chosen: HostedComparison) -> Report:
-    return read_report(_bytes(chosen), chosen.name)
 
 
 def _file(chosen: HostedComparison) -> Response:

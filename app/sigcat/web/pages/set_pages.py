@@ -1,6 +1,6 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from functools import partial
 from typing import Annotated, Any
 
@@ -92,10 +92,6 @@ def _hosted_document(asked: Asked, chosen: tuple[str, ...], document_id: str) ->
     return _download(hosted_set(asked.files, chosen, asked.catalogue).whole, document_id)
 
 
-def _wiring_data(asked: Asked, chosen: tuple[str, ...]) -> dict[str, object]:
-    return _as_data(hosted_set(asked.files, chosen, asked.catalogue))
-
-
 def _page(
     asked: Asked,
     chosen: Sequence[str],
@@ -150,17 +146,17 @@ def _findings(findings: Sequence[Finding], own: Sequence[PostedFile]) -> dict[st
 def _sources(files: Sequence[PostedFile], findings: Sequence[Finding]) -> list[tuple[str, str, SourceView]]:
     """Name, anchor of the lines, and lines of each posted file."""
     return [
-        (file.name, _anchor(index), source_view(shown_text(file.data), _of(file, findings)))
+        (
+            file.name,
+            _anchor(index),
+            source_view(shown_text(file.data), [each for each in findings if each.file == file.name]),
+        )
         for index, file in enumerate(files)
     ]
 
 
 def _anchor(index: int) -> str:
     return f"file-{index + 1}"
-
-
-def _of(file: PostedFile, findings: Iterable[Finding]) -> list[Finding]:
-    return [finding for finding in findings if finding.file == file.name]
 
 
 def _chosen(functions: Sequence[str] | None, files: HostedFiles) -> tuple[str, ...]:
@@ -184,8 +180,8 @@ def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Respon
     return download(document_id, "FunctionSet", partial(_documents, functions), SET_TABS)
 
 
-def _as_data(together: FunctionSet) -> dict[str, object]:
-    wiring = together.wiring
+def _wiring_data(asked: Asked, chosen: tuple[str, ...]) -> dict[str, object]:
+    wiring = hosted_set(asked.files, chosen, asked.catalogue).wiring
     return {
         "functions": list(wiring.functions),
         "links": [

@@ -27,8 +27,6 @@ Side = Literal["left", "right"]
 class Port(NamedTuple):
     """An interface at the edge of the box."""
 
-    y: int
-    side: Side
     kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
     outer: str
     """Label outside: the place of the interface in the catalogue."""
@@ -39,6 +37,8 @@ class Port(NamedTuple):
     title: str
     mark: str = ""
     """After the label outside: ` (optional)`."""
+    y: int = 0
+    side: Side = "left"
 
 
 class Heading(NamedTuple):
@@ -70,15 +70,6 @@ class Diagram(NamedTuple):
     left: int
     """Left edge of the picture: labels on the left end in one line, and the longest sets how far out they reach."""
     width: int
-
-
-class _Item(NamedTuple):
-    kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
-    outer: str
-    inner: str
-    path: str
-    title: str
-    mark: str = ""
 
 
 def interface_diagram(function: FunctionJson) -> Diagram:
@@ -126,15 +117,15 @@ def short(path: str) -> str:
     return f"…{end.partition('.')[2] or end}"
 
 
-def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
+def _incoming(function: FunctionJson) -> list[tuple[str, list[Port]]]:
     contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
     parameters = [
-        _Item("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
+        Port("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
         for contract in contracts
         for p in contract.parameters or ()
     ]
     reactions = [
-        _Item("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
+        Port("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
         for contract in contracts
         for r in contract.safety_reactions or ()
     ]
@@ -147,9 +138,9 @@ def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
     ]
 
 
-def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
+def _outgoing(function: FunctionJson) -> list[tuple[str, list[Port]]]:
     errors = [
-        _Item("error", e.name, "", e.vss_path or "", e.description.raw)
+        Port("error", e.name, "", e.vss_path or "", e.description.raw)
         for call in calls_of(function)
         for contract in call.contracts or ()
         for e in contract.errors or ()
@@ -162,20 +153,20 @@ def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
     ]
 
 
-def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
+def _signals(function: FunctionJson, *, provided: bool) -> list[Port]:
     contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
     there = [(each, " (optional)" if each.is_optional else "") for contract in contracts for each in data_of(contract)]
     lacking = [(each, " (optional, not in this catalogue)") for contract in contracts for each in absent_of(contract)]
     return [
-        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
+        Port("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
         for s, mark in (*there, *lacking)
         if (s.role == PROVIDER) is provided
     ]
 
 
-def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
+def _methods(function: FunctionJson, *, provided: bool) -> list[Port]:
     return [
-        _Item("method", m.name, "", "", m.description.raw)
+        Port("method", m.name, "", "", m.description.raw)
         for call in calls_of(function)
         for contract in call.contracts or ()
         for m in contract.methods or ()
@@ -183,9 +174,9 @@ def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
     ]
 
 
-def _modes(function: FunctionJson, direction: str) -> list[_Item]:
+def _modes(function: FunctionJson, direction: str) -> list[Port]:
     return [
-        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description.raw} {', '.join(m.modes)}")
+        Port("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description.raw} {', '.join(m.modes)}")
         for m in function.mode_interfaces or ()
         if m.direction == direction
     ]
@@ -199,7 +190,7 @@ def _with(name: str, unit: str | None) -> str:
     return f"{name} [{typeset_unit(unit)}]" if unit else name
 
 
-def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> tuple[list[Port], list[Heading], int]:
+def _placed(side: Side, groups: Iterable[tuple[str, list[Port]]], top: int) -> tuple[list[Port], list[Heading], int]:
     """Ports and headings one below the other, and where they end."""
     ports: list[Port] = []
     headings: list[Heading] = []
@@ -211,6 +202,6 @@ def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> 
         y += _HEADING
         for item in items:
             inner = item.inner if len(item.inner) <= _LONGEST_INSIDE else f"{item.inner[: _LONGEST_INSIDE - 1]}…"
-            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title, item.mark))
+            ports.append(item._replace(inner=inner, y=y + _ROW // 2, side=side))
             y += _ROW
     return ports, headings, y

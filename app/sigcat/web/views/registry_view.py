@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
 from sigcat.names import nearest
+from sigcat.registry.access.access import Listed
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.compatibility.conflicts import Conflict
 from sigcat.registry.compatibility.deploying import Decision, can_deploy
@@ -88,17 +89,10 @@ class DeliveriesView(NamedTuple):
     total: int
 
 
-class VersionRow(NamedTuple):
-    """A version of a name."""
-
-    published: Published
-    lines: tuple[str, ...]
-
-
 class NameView(NamedTuple):
     """All versions of a name, the newest first, and the changes between two of them."""
 
-    versions: tuple[VersionRow, ...]
+    versions: tuple[Listed, ...]
     old: str
     new: str
     changes: tuple[UseChange, ...]
@@ -199,7 +193,7 @@ def name_view(connection: Snapshot, group: str, name: str, old: str = "", new: s
     new = new or versions[-1].version
     old = old or versions[max(0, len(versions) - 2)].version
     lines = lines_by_version(connection)
-    rows = tuple(VersionRow(each, lines.get(each.id, ())) for each in reversed(versions))
+    rows = tuple(Listed(each, lines.get(each.id, ())) for each in reversed(versions))
     changes = _changes(connection, by_version[old], by_version[new]) if kind == "function" and old != new else ()
     return NameView(rows, old, new, tuple(changes))
 
