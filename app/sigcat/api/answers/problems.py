@@ -102,6 +102,11 @@ def problem_documentation(*statuses: int) -> dict[int | str, dict[str, Any]]:
     return {status: {"description": KINDS[status][1], "model": schemas.Problem} for status in statuses}
 
 
+def header_documentation(description: str, kind: str = "string") -> dict[str, Any]:
+    """A header of an answer, in the OpenAPI document."""
+    return {"description": description, "schema": {"type": kind}}
+
+
 def reads(model: Any, *statuses: int, is_table: bool = False) -> dict[str, Any]:
     """The documentation of an operation that answers with a model, also as YAML, and a table also as CSV, or with problems."""
     return {"response_model": model, "responses": offered(is_table=is_table) | problem_documentation(406, *statuses)}

@@ -8,6 +8,7 @@ from sigcat.api.answers.serializers import finding_schema, plain, plain_text
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from sigcat.findings import shown
+from sigcat.integration.grouping import grouped
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
 from sigcat.registry.compatibility.conflicts import Conflict
@@ -62,9 +63,7 @@ def names(
     connection: Snapshot, group: schemas.RegistryGroup, *, has_versions: bool = False
 ) -> list[schemas.RegistryName]:
     """All names of a group, in the order in which they were published: a page stays the same while others publish."""
-    by_name: dict[str, list[Published]] = {}
-    for each in all_versions(connection, KIND_OF[group]):
-        by_name.setdefault(each.name, []).append(each)
+    by_name = grouped(all_versions(connection, KIND_OF[group]), lambda each: each.name)
     in_order = sorted(by_name.values(), key=lambda versions: min(each.id for each in versions))
     lines = lines_by_version(connection) if has_versions else {}
     return [

@@ -38,6 +38,7 @@ from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.function.node_uses import uses_in
+from sigcat.integration.grouping import grouped
 from sigcat.limits import PAGE_FINDINGS, PICTURED_NODES
 from sigcat.web.addresses import Addresses
 from sigcat.web.documentation import search as search_documentation
@@ -152,9 +153,8 @@ def show_search(
 @router.get("/units/{catalogue}")
 def show_units(request: Request, hosted: AnyCatalogue) -> Response:
     """Units by quantity."""
-    by_quantity: dict[str, list[object]] = {}
-    for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
-        by_quantity.setdefault(unit.quantity, []).append(unit)
+    units = sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity)
+    by_quantity = grouped(units, lambda unit: unit.quantity)
     return page(request, "units.html", hosted=hosted, by_quantity=by_quantity)
 
 

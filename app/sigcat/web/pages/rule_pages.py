@@ -8,8 +8,8 @@ from fastapi.responses import JSONResponse, Response
 from sigcat.api.answers.serializers import rule_detail
 from sigcat.api.requests.dependencies import NamedCatalogue, TheFunctions, TheLibrary, TheRules
 from sigcat.api.requests.thread_turns import InThread
+from sigcat.integration.grouping import grouped
 from sigcat.limits import PAGE_FINDINGS
-from sigcat.rules.record import Rule
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 
@@ -21,9 +21,7 @@ def show_rules(
     request: Request, hosted: NamedCatalogue, rules: TheRules, functions: TheFunctions, library: TheLibrary
 ) -> Response:
     """Every rule, with the number of its findings in a catalogue and the functions over it."""
-    by_category: dict[str, list[Rule]] = {}
-    for rule in rules.rules:
-        by_category.setdefault(rule.category, []).append(rule)
+    by_category = grouped(rules.rules, lambda rule: rule.category)
     found = Counter(finding.rule for finding in findings_over(hosted, rules, functions.files, library))
     return page(request, "rules.html", hosted=hosted, by_category=by_category, found=found)
 

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.walk import absent_of, calls_of, data_of
+from sigcat.function.function_json.walk import absent, calls_of, data, errors, methods, parameters, safety_reactions
 from sigcat.web.template_filters import unit as typeset_unit
 
 _LABELS_LEFT, _LABELS_RIGHT = 344, 776
@@ -118,20 +118,17 @@ def short(path: str) -> str:
 
 
 def _incoming(function: FunctionJson) -> list[tuple[str, list[Port]]]:
-    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
-    parameters = [
+    taken = [
         Port("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
-        for contract in contracts
-        for p in contract.parameters or ()
+        for _, _, p in parameters(function)
     ]
     reactions = [
         Port("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
-        for contract in contracts
-        for r in contract.safety_reactions or ()
+        for _, _, r in safety_reactions(function)
     ]
     return [
         ("Signals in", _signals(function, provided=False)),
-        ("Parameters", parameters),
+        ("Parameters", taken),
         ("Safety reactions", reactions),
         ("Mode", _modes(function, "In")),
         ("Methods used", _methods(function, provided=False)),
@@ -139,24 +136,18 @@ def _incoming(function: FunctionJson) -> list[tuple[str, list[Port]]]:
 
 
 def _outgoing(function: FunctionJson) -> list[tuple[str, list[Port]]]:
-    errors = [
-        Port("error", e.name, "", e.vss_path or "", e.description.raw)
-        for call in calls_of(function)
-        for contract in call.contracts or ()
-        for e in contract.errors or ()
-    ]
+    reported = [Port("error", e.name, "", e.vss_path or "", e.description.raw) for _, _, e in errors(function)]
     return [
         ("Signals out", _signals(function, provided=True)),
-        ("Errors", errors),
+        ("Errors", reported),
         ("Mode", _modes(function, "Out")),
         ("Methods offered", _methods(function, provided=True)),
     ]
 
 
 def _signals(function: FunctionJson, *, provided: bool) -> list[Port]:
-    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
-    there = [(each, " (optional)" if each.is_optional else "") for contract in contracts for each in data_of(contract)]
-    lacking = [(each, " (optional, not in this catalogue)") for contract in contracts for each in absent_of(contract)]
+    there = [(each, " (optional)" if each.is_optional else "") for _, _, each in data(function)]
+    lacking = [(each, " (optional, not in this catalogue)") for _, _, each in absent(function)]
     return [
         Port("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
         for s, mark in (*there, *lacking)
@@ -167,9 +158,7 @@ def _signals(function: FunctionJson, *, provided: bool) -> list[Port]:
 def _methods(function: FunctionJson, *, provided: bool) -> list[Port]:
     return [
         Port("method", m.name, "", "", m.description.raw)
-        for call in calls_of(function)
-        for contract in call.contracts or ()
-        for m in contract.methods or ()
+        for _, _, m in methods(function)
         if (m.role == PROVIDER) is provided
     ]
 

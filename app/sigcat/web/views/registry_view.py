@@ -8,6 +8,7 @@ from typing import NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
+from sigcat.integration.grouping import grouped
 from sigcat.names import nearest
 from sigcat.registry.access.access import Listed
 from sigcat.registry.changes import UseChange, function_changes
@@ -18,7 +19,7 @@ from sigcat.registry.decisions.acknowledgements import Deprecation, deprecations
 from sigcat.registry.decisions.approvals import Pending, pending
 from sigcat.registry.events import event_name
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
-from sigcat.registry.reference import DEPLOYABLE, KIND_OF, Kind
+from sigcat.registry.reference import DEPLOYABLE, KIND_OF
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Entry, now
@@ -168,10 +169,7 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
 
 
 def _name_rows(versions: Iterable[Published], lines: Mapping[int, tuple[str, ...]]) -> Iterator[NameRow]:
-    by_name: dict[tuple[Kind, str], list[Published]] = {}
-    for each in versions:
-        by_name.setdefault((each.kind, each.name), []).append(each)
-    for found in by_name.values():
+    for found in grouped(versions, lambda each: (each.kind, each.name)).values():
         where = sorted({line for each in found for line in lines.get(each.id, ())})
         yield NameRow(_newest(found) or found[-1], len(found), tuple(where))
 
@@ -211,9 +209,7 @@ def _changes(connection: Snapshot, old: Published, new: Published) -> Iterator[U
 
 def matrix_view(connection: Snapshot, start: int) -> MatrixView:
     """Return which versions run in each line, and whether the newest one may be deployed there."""
-    by_name: dict[str, list[Published]] = {}
-    for each in all_versions(connection, "function"):
-        by_name.setdefault(each.name, []).append(each)
+    by_name = grouped(all_versions(connection, "function"), lambda each: each.name)
     lines = names_of(connection, "line")
     runs: dict[tuple[str, str], list[Published]] = {}
     for one in running(connection):
