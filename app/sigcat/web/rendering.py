@@ -49,16 +49,8 @@ _ENVIRONMENT = Environment(
     lstrip_blocks=True,
     bytecode_cache=CompiledTemplates(Path(__file__)),
 )
-_ENVIRONMENT.filters.update(
-    number=number,
-    scalar=scalar,
-    unit=unit,
-    date=date,
-    datatype=datatype,
-    breakable=breakable,
-    marked=marked,
-    with_code=with_code,
-)
+_FILTERS = (number, scalar, unit, date, datatype, breakable, marked, with_code)
+_ENVIRONMENT.filters.update({each.__name__: each for each in _FILTERS})
 _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(
     count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, chapter_of=CHAPTER_OF, version=__version__

@@ -100,7 +100,7 @@ class Server(NamedTuple):
     @_understood
     def can_deploy(self, references: Sequence[Reference], line: str) -> Answer:
         """Return whether versions, which ship together, fit everything in the vehicles of a line."""
-        first, *others = (f"{each.name}@{each.version}" for each in references)
+        first, *others = map(_written, references)
         found = _asked(self, "POST", "/can-i-deploy", {"function": first, "line": line, "others": others})
         finding = _finding(found["finding"]) if found["finding"] else None
         deployed, checked = (tuple(map(_reference, found[key])) for key in ("deployed", "checked"))
@@ -138,7 +138,7 @@ class Server(NamedTuple):
     @_understood
     def set_state(self, kind: Kind, reference: Reference, state: State, until: str = "", successor: str = "") -> Change:
         """Deprecate or retire a version."""
-        query = {"reference": _written(reference), "group": GROUP_OF[kind]}
+        query = _about(kind, reference)
         if state == "retired":
             return _change(_asked(self, "POST", "/retire", query))
         return _change(_asked(self, "POST", "/deprecate", {**query, "removal": until, "alternative": successor}))
@@ -164,8 +164,7 @@ class Server(NamedTuple):
     @_understood
     def acknowledge(self, kind: Kind, reference: Reference, owner: str) -> Change:
         """Record that an owner knows of a deprecation."""
-        query = {"reference": _written(reference), "group": GROUP_OF[kind], "owner": owner}
-        return _change(_asked(self, "POST", "/acknowledge", query))
+        return _change(_asked(self, "POST", "/acknowledge", {**_about(kind, reference), "owner": owner}))
 
     @_understood
     def approve(self, kind: Kind, reference: Reference, owner: str, days: int, content: str) -> tuple[Decided, Change]:
@@ -197,8 +196,7 @@ def _refuse_empty(server: Server) -> None:
 def _decide(
     server: Server, path: str, kind: Kind, reference: Reference, owner: str, decision: _JSON
 ) -> tuple[Decided, Change]:
-    query = {"reference": _written(reference), "group": GROUP_OF[kind], "owner": owner}
-    found = _asked(server, "POST", path, {**query, **decision})
+    found = _asked(server, "POST", path, {**_about(kind, reference), "owner": owner, **decision})
     change = _change(found)
     return Decided(tuple(map(_approval, found["approvals"])), change.head), change
 
@@ -290,6 +288,10 @@ def _text(data: bytes, name: str) -> str:
 
 def _over(catalogue: str) -> dict[str, str]:
     return {"catalogue": catalogue} if catalogue else {}
+
+
+def _about(kind: Kind, reference: Reference) -> dict[str, str]:
+    return {"reference": _written(reference), "group": GROUP_OF[kind]}
 
 
 def _written(reference: Reference) -> str:

@@ -188,14 +188,11 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
     providers = _providers((*deployed, *others))
     for consumer in (*deployed, *others):
         now = [each for each in replaced if consumer in deployed and each.name == consumer.name]
-        for path in consumer.needed:
+        needed = consumer.needed
+        for path in (*needed, *consumer.optional):
             before = [each for each in replaced if each.provides(path)]
             is_new = consumer in deployed and (not now or any(path not in each.needed for each in now))
-            if (is_new or before) and not _is_provided(path, consumer, providers):
-                yield _lost_provider(path, consumer, before, deployed)
-        for path in consumer.optional:
-            before = [each for each in replaced if each.provides(path)]
-            if before and not _is_provided(path, consumer, providers):
+            if (before or (is_new and path in needed)) and not _is_provided(path, consumer, providers):
                 yield _lost_provider(path, consumer, before, deployed)
 
 

@@ -20,7 +20,6 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_files import FILE, HostedFiles
 from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
-from sigcat.web.forms import Form
 from sigcat.web.pages.checked_text import Asked, Posted, TheAsked, ThePosted, text_values
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
@@ -102,16 +101,11 @@ def _tried_form(posted: Posted) -> Response:
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
         raise UsageError(f"The kind must be {' or '.join(KINDS)}, not {given[:100]!r}.")
-    data = _posted_data(form)
+    data = form.files[0].data if form.files else form.text("text").encode("utf-8", "replace")
     result = _judged(asked, kind, data)
     if form.last("download"):
         return _download(result.resolved, form.last("download"))
     return _page(asked, kind, shown_text(data), result, form.last("view", "interfaces"))
-
-
-def _posted_data(form: Form) -> bytes:
-    """The file that was chosen, byte for byte, or else the text of the field."""
-    return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
 
 
 def _download(function: ResolvedFunction | None, document_id: str) -> Response:
