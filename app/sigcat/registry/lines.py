@@ -35,7 +35,7 @@ def record(registry: Registry, action: Action, line: str, reference: Reference) 
             owner = deployable(ledger.connection, reference).owner
         _check_owner(ledger, reference.name, owner)
         if not (action == "release" and _runs(ledger.connection, line, reference)):
-            ledger.append(action, {"line": line, "name": reference.name, "version": reference.version})
+            ledger.append(action, {"line": line, **reference._asdict()})
         return ledger.head_hash
 
 
@@ -59,8 +59,8 @@ def set_state(
                 message = f"The successor of {reference} must be supported; {successor} is {replacing.state}."
                 raise _unfit(reference, message)
         _check_retired(ledger.connection, reference, state)
-        data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
-        ledger.append("state", {**data, "until": until, "successor": successor})
+        ending = {"state": state, "until": until, "successor": successor}
+        ledger.append("state", {"kind": kind, **reference._asdict(), **ending})
         return ledger.head_hash
 
 

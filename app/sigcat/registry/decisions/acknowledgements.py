@@ -85,6 +85,5 @@ def acknowledge(registry: Registry, kind: Kind, reference: Reference, owner: str
             message = f"The owner must be one whose functions use {reference}{whose}, not {shown(owner)}."
             raise unfit(reference, message, did_you_mean(owner, known))
         if not known[owner].at:
-            data = {"kind": kind, "name": reference.name, "version": reference.version, "owner": owner}
-            ledger.append("acknowledge", data)
+            ledger.append("acknowledge", {"kind": kind, **reference._asdict(), "owner": owner})
         return ledger.head_hash

@@ -31,7 +31,7 @@ from sigcat.web.visits import Visit, visit_of
 
 
 class Asked(NamedTuple):
-    """Inputs of a page beside its text."""
+    """Inputs of a page beside its text: who asks, over which catalogue, by which rules, and the functions of the service."""
 
     visit: Visit
     hosted: Hosted

@@ -1,6 +1,6 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import partial
 from typing import Annotated, Any
 
@@ -146,17 +146,17 @@ def _findings(findings: Sequence[Finding], own: Sequence[PostedFile]) -> dict[st
 def _sources(files: Sequence[PostedFile], findings: Sequence[Finding]) -> list[tuple[str, str, SourceView]]:
     """Name, anchor of the lines, and lines of each posted file."""
     return [
-        (
-            file.name,
-            _anchor(index),
-            source_view(shown_text(file.data), [each for each in findings if each.file == file.name]),
-        )
+        (file.name, _anchor(index), source_view(shown_text(file.data), _of(file, findings)))
         for index, file in enumerate(files)
     ]
 
 
 def _anchor(index: int) -> str:
     return f"file-{index + 1}"
+
+
+def _of(file: PostedFile, findings: Iterable[Finding]) -> list[Finding]:
+    return [finding for finding in findings if finding.file == file.name]
 
 
 def _chosen(functions: Sequence[str] | None, files: HostedFiles) -> tuple[str, ...]:
