@@ -83,6 +83,8 @@ _PACKED_IN_THREAD = 32 * 1024
 _FILES = 4
 """Threads that read files: what takes turns leaves these free."""
 _log = logging.getLogger("sigcat")
+_SENDABLE = ("Authorization", "Content-Type", "If-None-Match", "X-Request-Id", "traceparent", "tracestate")
+"""Headers that pages of other origins may send."""
 _READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Sigcat-Warnings", "X-Request-Id")
 """Headers that pages of other origins may read."""
 _ROUTERS = (
@@ -202,14 +204,7 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             CORSMiddleware,
             allow_origins=list(settings.origins),
             allow_methods=["GET", "POST"],
-            allow_headers=[
-                "Authorization",
-                "Content-Type",
-                "If-None-Match",
-                "X-Request-Id",
-                "traceparent",
-                "tracestate",
-            ],
+            allow_headers=_SENDABLE,
             expose_headers=_READABLE,
         )
 

@@ -9,7 +9,7 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from sigcat.api.answers.negotiation import JSON, YAML
-from sigcat.api.answers.problems import KINDS, PROBLEM
+from sigcat.api.answers.problems import KINDS, PROBLEM, header_documentation
 from sigcat.api.openapi_shapes import answered, in_order, parameter, written
 from sigcat.api.settings import Settings
 from sigcat.function.function_json.model import FunctionJson
@@ -38,30 +38,24 @@ _LATER = ("429", "503")
 _VERSIONED = ("200", "304", "412")
 """Statuses with `ETag`, of operations about a state of a catalogue or of the registry."""
 _HEADERS: Mapping[str, Mapping[str, Any]] = {
-    "ETag": {
-        "description": "The state of the catalogue or of the registry, as a weak tag.",
-        "schema": {"type": "string"},
-    },
-    "Link": {
-        "description": 'The address of the next page, with `rel="next"` (RFC 8288); absent on the last page.',
-        "schema": {"type": "string"},
-    },
+    "ETag": header_documentation("The state of the catalogue or of the registry, as a weak tag."),
+    "Link": header_documentation(
+        'The address of the next page, with `rel="next"` (RFC 8288); absent on the last page.'
+    ),
     "Location": {
         "description": "The address without the `/`.",
         "schema": {"type": "string", "format": "uri-reference"},
     },
-    "RateLimit": {
-        "description": "What the client may still have under way, for each quota that the request used "
-        "(draft-ietf-httpapi-ratelimit-headers-10).",
-        "schema": {"type": "string"},
-    },
-    "RateLimit-Policy": {
-        "description": "The quotas that the request used: `work`, `exports`, `answers`, `long-answers` and `registry` in concurrent "
-        "requests, `bodies` in bytes of bodies.",
-        "schema": {"type": "string"},
-    },
-    "Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}},
-    "X-Request-Id": {"description": "What the log calls the request.", "schema": {"type": "string"}},
+    "RateLimit": header_documentation(
+        "What the client may still have under way, for each quota that the request used "
+        "(draft-ietf-httpapi-ratelimit-headers-10)."
+    ),
+    "RateLimit-Policy": header_documentation(
+        "The quotas that the request used: `work`, `exports`, `answers`, `long-answers` and `registry` in concurrent "
+        "requests, `bodies` in bytes of bodies."
+    ),
+    "Retry-After": header_documentation("Seconds to wait.", "integer"),
+    "X-Request-Id": header_documentation("What the log calls the request."),
 }
 _MOVED = {"description": "The address must not end with `/`"}
 _UNCHANGED = {"description": "The client has this state already (`If-None-Match`)"}

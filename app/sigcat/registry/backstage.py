@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import yaml
@@ -41,13 +41,16 @@ class _Function(NamedTuple):
 def backstage_entities(connection: Connection) -> Iterator[Entity]:
     """Yield a Group for each owner, an API for each element that is exchanged, and a Component for each function."""
     functions = tuple(_functions(connection))
-    providers = _providers(functions)
+    providers = {
+        use.element: each for each in reversed(functions) for use in each.uses if use.provides
+    }  # the first ones
     elements = {use.element: use for each in functions for use in each.uses}
     owners = {each.published.owner for each in functions}
     if elements.keys() - providers.keys():
         owners.add(_UNKNOWN)
     groups, apis, components = map(_names, (owners, elements, (each.published.name for each in functions)))
-    yield from (_group(owner, groups[owner]) for owner in sorted(owners))
+    for owner in sorted(owners):
+        yield _entity("Group", groups[owner], owner or "No owner", {"type": "team", "children": []})
     for element in sorted(elements):
         provider = providers.get(element)
         owner = groups[provider.published.owner if provider else _UNKNOWN]
@@ -67,21 +70,12 @@ def _functions(connection: Connection) -> Iterator[_Function]:
         yield _Function(each, " ".join(str(info["Description"]).split()), exchanged, lines.get(each.id, ()))
 
 
-def _providers(functions: Sequence[_Function]) -> Mapping[str, _Function]:
-    """The first function that provides each element."""
-    return {use.element: each for each in reversed(functions) for use in each.uses if use.provides}
-
-
 def _entity(kind: str, name: str, title: str, spec: Entity, **metadata: Any) -> Entity:
     return {
         "apiVersion": "backstage.io/v1alpha1", "kind": kind,
         "metadata": {"name": name, "title": title, **{key: value for key, value in metadata.items() if value}},
         "spec": spec,
     }  # fmt: skip
-
-
-def _group(owner: str, name: str) -> Entity:
-    return _entity("Group", name, owner or "No owner", {"type": "team", "children": []})
 
 
 def _api(use: Use, name: str, owner: str, lifecycle: str) -> Entity:

@@ -3,6 +3,7 @@
 from sqlalchemy import Connection
 
 from sigcat import codes
+from sigcat.errors import InputRefused
 from sigcat.registry.compatibility.deploying import deployable
 from sigcat.registry.published import all_versions, names_of, running, version_named
 from sigcat.registry.reference import (
@@ -34,8 +35,8 @@ def record(registry: Registry, action: Action, line: str, reference: Reference) 
             owner = deployable(ledger.connection, reference).owner
         _check_owner(ledger, reference.name, owner)
         if not (action == "release" and _runs(ledger.connection, line, reference)):
-            ledger.append(action, {"line": line, "name": reference.name, "version": reference.version})
-        return _head(ledger)
+            ledger.append(action, {"line": line, **reference._asdict()})
+        return ledger.head_hash
 
 
 def set_state(
@@ -47,23 +48,20 @@ def set_state(
         published = version_named(ledger.connection, kind, reference)
         _check_owner(ledger, reference.name, published.owner)
         if published.state in CHANGEABLE:
-            message = f"{reference} must be published; it is {published.state}."
-            raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
+            raise _unfit(reference, f"{reference} must be published; it is {published.state}.", "Publish it first.")
         if published.state == "retired":
-            message = f"{reference} is retired, and stays so."
-            raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
+            raise _unfit(reference, f"{reference} is retired, and stays so.")
         if successor:
             replacing = version_named(ledger.connection, kind, Reference(reference.name, successor))
             if replacing.id == published.id:
-                message = f"The successor of {reference} must be another version."
-                raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
+                raise _unfit(reference, f"The successor of {reference} must be another version.")
             if replacing.state in ("deprecated", "retired"):
                 message = f"The successor of {reference} must be supported; {successor} is {replacing.state}."
-                raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
+                raise _unfit(reference, message)
         _check_retired(ledger.connection, reference, state)
-        data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
-        ledger.append("state", {**data, "until": until, "successor": successor})
-        return _head(ledger)
+        ending = {"state": state, "until": until, "successor": successor}
+        ledger.append("state", {"kind": kind, **reference._asdict(), **ending})
+        return ledger.head_hash
 
 
 def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
@@ -74,7 +72,7 @@ def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
             raise unknown(kind, name, known)
         _check_owner(ledger, name, *(each.owner for each in all_versions(ledger.connection, kind, name)[-1:]))
         ledger.append("rule", {"kind": kind, "name": name, "rule": rule})
-        return _head(ledger)
+        return ledger.head_hash
 
 
 def _check_owner(ledger: Ledger, name: str, *owners: str) -> None:
@@ -108,7 +106,11 @@ def _check_retired(connection: Connection, reference: Reference, state: State) -
     if state == "retired" and lines:
         message = f"{reference} runs in line {', '.join(lines)}."
         fix = f"Record the end of its support: `sigcat registry support-ended {lines[0]} {reference.name}@{reference.version}`."
-        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix=fix))
+        raise _unfit(reference, message, fix)
+
+
+def _unfit(reference: Reference, message: str, fix: str = "") -> InputRefused:
+    return refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix=fix))
 
 
 def _check_date(text: str) -> None:
@@ -117,8 +119,3 @@ def _check_date(text: str) -> None:
     if is_past(text):
         message = f"The date must be today or later, not {text}: support ends on it."
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
-
-
-def _head(ledger: Ledger) -> str:
-    last = ledger.head
-    return last.hash if last else ""

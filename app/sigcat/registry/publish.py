@@ -68,8 +68,7 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
                 outcomes.append(_publish(ledger, each, known, candidates, is_draft=is_draft))
         if findings:
             raise refused(*findings)
-        last = ledger.head
-    return Receipt(tuple(outcomes), last.hash if last else "")
+        return Receipt(tuple(outcomes), ledger.head_hash)
 
 
 class _Known(NamedTuple):
@@ -144,15 +143,11 @@ def _ask(
 ) -> Outcome:
     """Store a version as pending, unless the same content asks the same owners already."""
     asked = {owner: ", ".join(functions) for owner, functions in affected.items()}
-    is_asked = known is not None and known.state == "pending" and asked == _asked(ledger.connection, known)
-    if not is_asked:
+    before = approvals_of(ledger.connection, known) if known is not None and known.state == "pending" else None
+    if before is None or asked != {each.owner: each.functions for each in before}:
         ledger.append("publish", {**data, "state": "pending", "broken": affected})
     stored = version_named(ledger.connection, candidate.kind, candidate.reference)
     return Outcome(candidate.kind, stored.reference, "pending", approvals_of(ledger.connection, stored))
-
-
-def _asked(connection: Connection, version: Published) -> Mapping[str, str]:
-    return {each.owner: each.functions for each in approvals_of(connection, version)}
 
 
 def _problems(ledger: Ledger, candidate: Candidate, before: _Known, *, is_draft: bool) -> Iterator[Finding]:
@@ -160,8 +155,9 @@ def _problems(ledger: Ledger, candidate: Candidate, before: _Known, *, is_draft:
     if before.name not in ("", candidate.name):
         message = f"The name must be {before.name!r}, as it is published, not {candidate.name!r}."
         yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, fix="Use the same case.")
-    if candidate.owner != before.newest_owner:
-        yield from _other_owner(connection, candidate)
+    if candidate.owner != before.newest_owner and (message := alike_problem(connection, candidate.owner)):
+        fix = "Use the same spelling."
+        yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, path=candidate.name, fix=fix)
     if ledger.author.owner:
         owners = [each.owner for each in all_versions(connection, candidate.kind, candidate.name)]
         for problem in ledger.author.refusals(candidate.name, [*owners[-1:], candidate.owner]):
@@ -170,13 +166,6 @@ def _problems(ledger: Ledger, candidate: Candidate, before: _Known, *, is_draft:
         yield from _taken(connection, candidate, known)
     elif not is_draft:
         yield from _too_low(connection, candidate)
-
-
-def _other_owner(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
-    """Report an owner whose name looks like that of another one."""
-    if message := alike_problem(connection, candidate.owner):
-        fix = "Use the same spelling."
-        yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, path=candidate.name, fix=fix)
 
 
 def _known(connection: Connection, candidate: Candidate) -> _Known:

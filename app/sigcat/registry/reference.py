@@ -12,6 +12,9 @@ from sigcat.names import did_you_mean
 
 Kind = Literal["function", "overlay", "catalogue", "line"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
+Group = Literal["functions", "overlays", "catalogues"]
+GROUP_OF: Mapping[Kind, Group] = {"function": "functions", "overlay": "overlays", "catalogue": "catalogues"}
+KIND_OF: Mapping[str, Kind] = {group: kind for kind, group in GROUP_OF.items()}
 State = Literal["draft", "pending", "published", "deprecated", "retired"]
 STATES: tuple[State, ...] = get_args(State)
 Rule = Literal["backward", "full", "approval", "none"]

@@ -37,12 +37,11 @@ class Users(NamedTuple):
 
 def users_of(connection: Connection, path: str, *, is_complete: bool = False) -> Users:
     """The users of a path, or of nodes below it. `is_complete`: also of versions that are neither newest nor in a line."""
-    known: dict[int, Published] = {}
-    rows = list(_reached(connection, path, known, is_complete=is_complete))
-    shown = rows[:REGISTRY_ROWS]
-    lines = lines_by_version(connection, (each.version for each in shown))
-    users = (User(known[each.version], each.use, each.through, lines.get(each.version, ())) for each in shown)
-    return Users(tuple(users), len(rows) - len(shown))
+    found = list(_reached(connection, path, is_complete=is_complete))
+    shown = found[:REGISTRY_ROWS]
+    lines = lines_by_version(connection, (each.published.id for each in shown))
+    users = (each._replace(lines=lines.get(each.published.id, ())) for each in shown)
+    return Users(tuple(users), len(found) - len(shown))
 
 
 def users_in(connection: Connection, path: str, catalogue: Catalogue, *, is_complete: bool = False) -> Users:
@@ -95,12 +94,6 @@ def _range(path: str) -> Mapping[str, str]:
     return {"first": f"{path}.", "end": f"{path}/"}
 
 
-class _Reached(NamedTuple):
-    version: int
-    use: Use
-    through: tuple[str, ...]
-
-
 class _Row(NamedTuple):
     """A row of `uses`, with what it relies on."""
 
@@ -121,10 +114,9 @@ _OF_ELEMENTS = _ROWS.where(USES.c.path.in_(_NAMED) | USES.c.element.in_(_NAMED))
 _WITH_ELEMENTS = select(USES.c.version_id).distinct().where(USES.c.element.in_(_NAMED))
 
 
-def _reached(
-    connection: Connection, path: str, known: dict[int, Published], *, is_complete: bool
-) -> Iterator[_Reached]:
-    """Uses breadth first: of the path, then of its consequences, each once. Versions are added to `known`."""
+def _reached(connection: Connection, path: str, *, is_complete: bool) -> Iterator[User]:
+    """Users breadth first, without their lines: of the path, then of its consequences, each use once."""
+    known: dict[int, Published] = {}
     level: Mapping[str, tuple[str, ...]] = {path: ()}
     seen, told = {path}, set[tuple[int, int]]()
     below = connection.execute(_BELOW, _range(path))
@@ -137,7 +129,7 @@ def _reached(
             use, through = from_row(row.text, row.relied), level[element]
             if (row.version, row.number) not in told:
                 told.add((row.version, row.number))
-                yield _Reached(row.version, use, through)
+                yield User(known[row.version], use, through, ())
             for name in (use.element, *use.leads_to):
                 if name not in seen and (name in use.leads_to or use.path == element):
                     seen.add(name)

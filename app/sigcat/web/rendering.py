@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from fastapi import Request
-from fastapi.responses import HTMLResponse
+from fastapi.responses import HTMLResponse, Response
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from sigcat import __version__
@@ -49,16 +49,8 @@ _ENVIRONMENT = Environment(
     lstrip_blocks=True,
     bytecode_cache=CompiledTemplates(Path(__file__)),
 )
-_ENVIRONMENT.filters.update(
-    number=number,
-    scalar=scalar,
-    unit=unit,
-    date=date,
-    datatype=datatype,
-    breakable=breakable,
-    marked=marked,
-    with_code=with_code,
-)
+_FILTERS = (number, scalar, unit, date, datatype, breakable, marked, with_code)
+_ENVIRONMENT.filters.update({each.__name__: each for each in _FILTERS})
 _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(
     count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, chapter_of=CHAPTER_OF, version=__version__
@@ -96,6 +88,12 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def text_file(text: str, name: str, media_type: str) -> Response:
+    """A text as a file to be kept."""
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
+    return Response(text.encode("utf-8", "replace"), media_type=f"{media_type}; charset=utf-8", headers=headers)
 
 
 def _basket_of(visit: Visit, *, is_problem: bool) -> Basket:

@@ -72,10 +72,10 @@ def rows(models: Iterable[BaseModel]) -> Iterator[dict[str, Any]]:
     return (model.model_dump(mode="json", by_alias=True) for model in models)
 
 
-def offered(*forms: str) -> dict[int | str, dict[str, Any]]:
-    """The `responses` of an operation that answers as YAML too and, if it is a `table`, as CSV."""
+def offered(*, is_table: bool = False) -> dict[int | str, dict[str, Any]]:
+    """The `responses` of an operation that answers as YAML too and, if it is a table, as CSV."""
     content: dict[str, Any] = {YAML: {}}
-    if "table" in forms:
+    if is_table:
         content[CSV] = {"schema": {"type": "string"}}
     return {200: {"description": "Successful Response", "content": content}}
 

@@ -13,6 +13,7 @@ from starlette.requests import ClientDisconnect
 
 from sigcat import codes
 from sigcat.api.answers import schemas
+from sigcat.api.answers.negotiation import offered
 from sigcat.api.answers.serializers import listed_findings, plain_text
 from sigcat.api.validation import reason_of
 from sigcat.api.work.refusals import RETRY_SECONDS
@@ -99,6 +100,16 @@ def install_problems(app: FastAPI) -> None:
 def problem_documentation(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """The `responses` of an operation that may answer with problems of these statuses."""
     return {status: {"description": KINDS[status][1], "model": schemas.Problem} for status in statuses}
+
+
+def header_documentation(description: str, kind: str = "string") -> dict[str, Any]:
+    """A header of an answer, in the OpenAPI document."""
+    return {"description": description, "schema": {"type": kind}}
+
+
+def reads(model: Any, *statuses: int, is_table: bool = False) -> dict[str, Any]:
+    """The documentation of an operation that answers with a model, also as YAML, and a table also as CSV, or with problems."""
+    return {"response_model": model, "responses": offered(is_table=is_table) | problem_documentation(406, *statuses)}
 
 
 async def answer_problem(request: Request, error: Exception) -> Response:

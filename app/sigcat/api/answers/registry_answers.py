@@ -1,6 +1,6 @@
 """Values of the registry in the schemas of the API. Importing this loads SQLAlchemy."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal, cast
 
 from sigcat.api.answers import registry_schemas as schemas
@@ -8,6 +8,7 @@ from sigcat.api.answers.serializers import finding_schema, plain, plain_text
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from sigcat.findings import shown
+from sigcat.integration.grouping import grouped
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
 from sigcat.registry.compatibility.conflicts import Conflict
@@ -17,18 +18,13 @@ from sigcat.registry.decisions.approvals import Approval, Decided, Pending, pend
 from sigcat.registry.events import event_of, source_of
 from sigcat.registry.publish import Receipt
 from sigcat.registry.published import Published, Running, all_versions, lines_by_version, names_of, running
-from sigcat.registry.reference import DEPLOYABLE, KINDS, Kind, reference_of
+from sigcat.registry.reference import DEPLOYABLE, GROUP_OF, KIND_OF, KINDS, Kind, reference_of
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Link
-from sigcat.registry.storing.ledger import head, link_with, log_page
+from sigcat.registry.storing.ledger import head, last_number, link_with, log_page
 from sigcat.registry.use import Use, from_json
-from sigcat.registry.users import User, users_in
-
-_GROUPS: Mapping[Kind, schemas.RegistryGroup] = {
-    "function": "functions", "overlay": "overlays", "catalogue": "catalogues",
-}  # fmt: skip
-_KINDS: Mapping[schemas.RegistryGroup, Kind] = {group: kind for kind, group in _GROUPS.items()}
+from sigcat.registry.users import users_in
 
 
 def registry(connection: Snapshot) -> schemas.Registry:
@@ -59,8 +55,7 @@ def events(connection: Snapshot, after: int, most: int) -> schemas.RegistryEvent
     """Events of the entries behind a number. A number beyond the log is that of another log: `epoch` is the last one here."""
     links, source = log_page(connection, after, most), source_of(connection)
     found = [schemas.RegistryEvent.model_validate(event_of(each, source)) for each in links]
-    last = head(connection)
-    epoch = links[-1].number if links else min(after, last.number if last else 0)
+    epoch = links[-1].number if links else min(after, last_number(connection))
     return schemas.RegistryEventList(registry_events=found, epoch=epoch)
 
 
@@ -68,9 +63,7 @@ def names(
     connection: Snapshot, group: schemas.RegistryGroup, *, has_versions: bool = False
 ) -> list[schemas.RegistryName]:
     """All names of a group, in the order in which they were published: a page stays the same while others publish."""
-    by_name: dict[str, list[Published]] = {}
-    for each in all_versions(connection, _KINDS[group]):
-        by_name.setdefault(each.name, []).append(each)
+    by_name = grouped(all_versions(connection, KIND_OF[group]), lambda each: each.name)
     in_order = sorted(by_name.values(), key=lambda versions: min(each.id for each in versions))
     lines = lines_by_version(connection) if has_versions else {}
     return [
@@ -84,8 +77,8 @@ def names(
 def _name(versions: Sequence[Published], listed: list[schemas.RegistryVersion] | None = None) -> schemas.RegistryName:
     default = _default(versions)
     return schemas.RegistryName(
-        xid=f"/{_GROUPS[default.kind]}/{default.name}",
-        group=_GROUPS[default.kind],
+        xid=f"/{GROUP_OF[default.kind]}/{default.name}",
+        group=GROUP_OF[default.kind],
         name=default.name,
         owner=default.owner or None,
         compatibility_rule=default.rule,
@@ -107,11 +100,11 @@ def name(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> sche
     return _name(_versions(connection, group, named))
 
 
-def versions(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> list[schemas.RegistryVersion]:
+def versions(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> schemas.RegistryVersionList:
     """Versions of a name by precedence. Raises NotFound."""
     found = _versions(connection, group, named)
     lines = lines_by_version(connection)
-    return [_version(each, found, lines.get(each.id, ())) for each in found]
+    return schemas.RegistryVersionList(versions=[_version(each, found, lines.get(each.id, ())) for each in found])
 
 
 def version(
@@ -131,7 +124,7 @@ def published_at(connection: Snapshot, group: schemas.RegistryGroup, named: str,
 
 
 def _versions(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> tuple[Published, ...]:
-    kind = _KINDS[group]
+    kind = KIND_OF[group]
     found = all_versions(connection, kind, named)
     if not found:
         raise NotFound(f"The registry has no {kind} {shown(named)}.", nearest(named, names_of(connection, kind)))
@@ -152,17 +145,12 @@ def _version(
     lines: Iterable[str],
     uses: list[schemas.RegistryUse] | None = None,
 ) -> schemas.RegistryVersion:
-    group = _GROUPS[published.kind]
     before = [each.version for each in versions if each.precedence < published.precedence]
     return schemas.RegistryVersion(
-        xid=f"/{group}/{published.name}/versions/{published.version}",
-        group=group,
-        name=published.name,
-        versionid=published.version,
+        **_identity(published.kind, *published.reference, published.owner),
         isdefault=published == _default(versions),
         ancestorid=before[-1] if before else published.version,
         lifecycle=published.state,
-        owner=published.owner or None,
         removal=published.until or None,
         alternative=published.successor or None,
         createdat=published.at,
@@ -186,37 +174,44 @@ def _use(use: Use) -> schemas.RegistryUse:
 def users(connection: Snapshot, path: str, over: Catalogue, *, is_complete: bool) -> schemas.RegistryUserList:
     """Users of an element, or of the instances of a definition. Raises InputRefused if the path is unknown."""
     found = users_in(connection, path, over, is_complete=is_complete)
-    return schemas.RegistryUserList(users=[_user(each) for each in found.users], more=found.more)
+    users = [
+        schemas.RegistryUser(
+            **_reference(each.published),
+            vehicle_lines=list(each.lines),
+            through=list(each.through),
+            use=_use(each.use),
+        )
+        for each in found.users
+    ]
+    return schemas.RegistryUserList(users=users, more=found.more)
 
 
-def _user(user: User) -> schemas.RegistryUser:
-    return schemas.RegistryUser(
-        **_reference(user.published),
-        vehicle_lines=list(user.lines),
-        through=list(user.through),
-        use=_use(user.use),
-    )
-
-
-def lines(connection: Snapshot) -> list[schemas.VehicleLine]:
-    """All vehicle lines, also those that no longer run anything."""
-    by_line: dict[str, list[Running]] = {each: [] for each in names_of(connection, "line")}
-    for each in running(connection):
-        by_line[each.line].append(each)
-    return [_line(named, found) for named, found in by_line.items()]
-
-
-def line(connection: Snapshot, named: str) -> schemas.VehicleLine:
-    """A vehicle line. Raises NotFound."""
+def lines(connection: Snapshot, only: str | None) -> schemas.VehicleLineList:
+    """All vehicle lines, also those that no longer run anything, or only one. Raises NotFound."""
     known = names_of(connection, "line")
-    if named not in known:
-        raise NotFound(f"The registry has no vehicle line {shown(named)}.", nearest(named, known))
-    return _line(named, running(connection, named))
+    if only is not None and only not in known:
+        raise NotFound(f"The registry has no vehicle line {shown(only)}.", nearest(only, known))
+    by_line: dict[str, list[Running]] = {each: [] for each in (known if only is None else [only])}
+    for each in running(connection, only):
+        by_line[each.line].append(each)
+    return schemas.VehicleLineList(lines=[_line(named, found) for named, found in by_line.items()])
 
 
 def _line(named: str, found: Iterable[Running]) -> schemas.VehicleLine:
     deployments = [schemas.Deployment(**_reference(each.published), since=each.since) for each in found]
     return schemas.VehicleLine(name=named, deployments=deployments)
+
+
+def _identity(kind: Kind, name: str, version: str, owner: str) -> dict[str, Any]:
+    """The fields by which an answer names a version of any kind."""
+    group = GROUP_OF[kind]
+    return {
+        "xid": f"/{group}/{name}/versions/{version}",
+        "group": group,
+        "name": name,
+        "versionid": version,
+        "owner": owner or None,
+    }
 
 
 def _reference(published: Published) -> dict[str, Any]:
@@ -231,14 +226,10 @@ def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt
     """What became of posted files."""
     outcomes = [
         schemas.RegistryOutcome(
-            xid=f"/{_GROUPS[each.kind]}/{each.reference.name}/versions/{each.reference.version}",
-            group=_GROUPS[each.kind],
-            name=each.reference.name,
-            versionid=each.reference.version,
+            **_identity(each.kind, *each.reference, each.owner),
             is_new=each.status != "unchanged",
             is_draft=each.status == "draft",
             is_pending=each.status == "pending",
-            owner=each.owner or None,
             previous_owner=each.previous_owner or None,
             approvals=[_approval(approval) for approval in each.approvals],
         )
@@ -255,11 +246,7 @@ def pending_versions(connection: Snapshot) -> schemas.RegistryPendingList:
 def _pending(found: Pending) -> schemas.RegistryPending:
     published = found.published
     return schemas.RegistryPending(
-        xid=f"/{_GROUPS[published.kind]}/{published.name}/versions/{published.version}",
-        group=_GROUPS[published.kind],
-        name=published.name,
-        versionid=published.version,
-        owner=published.owner or None,
+        **_identity(published.kind, *published.reference, published.owner),
         content_digest=published.content,
         approvals=[_approval(each) for each in found.approvals],
     )
@@ -275,11 +262,7 @@ def deprecated_versions(connection: Snapshot) -> schemas.RegistryDeprecationList
 def _deprecation(found: Deprecation) -> schemas.RegistryDeprecation:
     published = found.published
     return schemas.RegistryDeprecation(
-        xid=f"/{_GROUPS[published.kind]}/{published.name}/versions/{published.version}",
-        group=_GROUPS[published.kind],
-        name=published.name,
-        versionid=published.version,
-        owner=published.owner or None,
+        **_identity(published.kind, *published.reference, published.owner),
         removal=published.until or None,
         alternative=published.successor or None,
         acknowledgements=[
@@ -343,8 +326,3 @@ def _conflict(conflict: Conflict) -> schemas.RegistryConflict:
         ],
         vehicle_lines=list(conflict.lines),
     )
-
-
-def kind_of(group: schemas.RegistryGroup) -> Kind:
-    """The kind of the names of a group."""
-    return _KINDS[group]

@@ -141,13 +141,18 @@ class RegistryUse(Schema):
     leads_to: list[str] = Field(description="Errors, reactions and modes that follow from it in this function.")
 
 
-class RegistryVersion(Schema):
-    """A version, without its content."""
+class VersionAddress(Schema):
+    """A version of a name, and its address."""
 
     xid: Xid
     group: RegistryGroup
     name: str
     versionid: str
+
+
+class RegistryVersion(VersionAddress):
+    """A version, without its content."""
+
     isdefault: bool = Field(description="Whether the address of the name answers with this version.")
     ancestorid: str = Field(description="The version before it; of the first one, itself.")
     lifecycle: Lifecycle
@@ -167,11 +172,16 @@ class RegistryVersionList(Schema):
     versions: list[RegistryVersion]
 
 
-class RegistryUser(Schema):
-    """A use of an element by a version of a function."""
+class VersionReference(Schema):
+    """A version of a function."""
 
     name: str
     versionid: str
+
+
+class RegistryUser(VersionReference):
+    """A use of an element by a version of a function."""
+
     lifecycle: Lifecycle
     owner: str | None
     vehicle_lines: list[str]
@@ -186,11 +196,9 @@ class RegistryUserList(Schema):
     more: Count = Field(description="How many are not shown.")
 
 
-class Deployment(Schema):
+class Deployment(VersionReference):
     """A version that vehicles of a line run."""
 
-    name: str
-    versionid: str
     lifecycle: Lifecycle
     owner: str | None
     since: Moment
@@ -220,13 +228,9 @@ class RegistryApproval(Schema):
     reason: str | None = Field(description="Reason of a rejection.")
 
 
-class RegistryOutcome(Schema):
+class RegistryOutcome(VersionAddress):
     """A posted version, and whether it is new."""
 
-    xid: Xid
-    group: RegistryGroup
-    name: str
-    versionid: str
     is_new: bool = Field(description="False: the same bytes were published under this version before.")
     is_draft: bool
     is_pending: bool = Field(
@@ -237,13 +241,9 @@ class RegistryOutcome(Schema):
     approvals: list[RegistryApproval]
 
 
-class RegistryPending(Schema):
+class RegistryPending(VersionAddress):
     """A version that is stored, and not published."""
 
-    xid: Xid
-    group: RegistryGroup
-    name: str
-    versionid: str
     owner: str | None
     content_digest: Digest = Field(description="SHA-256 of the content to approve.")
     approvals: list[RegistryApproval]
@@ -263,13 +263,9 @@ class RegistryAcknowledgement(Schema):
     acknowledged: Moment | None = Field(description="When the owner acknowledged the deprecation; null if it did not.")
 
 
-class RegistryDeprecation(Schema):
+class RegistryDeprecation(VersionAddress):
     """A deprecated version, and the owners that use it."""
 
-    xid: Xid
-    group: RegistryGroup
-    name: str
-    versionid: str
     owner: str | None
     removal: str | None = Field(description="Day on which its support may end.")
     alternative: str | None = Field(description="Version that replaces it.")
@@ -302,18 +298,9 @@ class RegistryChange(Schema):
     head: LogHead | None = Field(description="The last entry of the log behind the change.")
 
 
-class VersionReference(Schema):
-    """A version of a function."""
-
-    name: str
-    versionid: str
-
-
-class ConflictSide(Schema):
+class ConflictSide(VersionReference):
     """A function of a conflict."""
 
-    name: str
-    versionid: str
     owner: str | None
     calls: list[str]
 

@@ -21,7 +21,6 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vehicle import Vehicle
 from sigcat.catalogue.model.vocabulary import Quantity, Unit
-from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin
 from sigcat.catalogue.search import Hit, overlay_name
 from sigcat.data import VSPEC
@@ -51,11 +50,6 @@ def plain(value: Any) -> Any:
 def plain_text(text: str) -> str:
     """Text that can be sent as UTF-8: half surrogate pairs are replaced."""
     return text if text.isascii() else text.encode("utf-8", "replace").decode()
-
-
-def origin_schema(origin: Origin) -> schemas.Place:
-    """Return the place where something was written."""
-    return schemas.Place(**_place(origin))
 
 
 def _place(origin: Origin) -> dict[str, Any]:
@@ -115,7 +109,12 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     """A hosted catalogue with layers and findings."""
     return schemas.Catalogue(
         **_summary_fields(hosted),
-        layers=[_layer(layer) for layer in hosted.catalogue.layers],
+        layers=[
+            schemas.Layer(
+                name=shown_file(each.name), is_overlay=each.is_overlay, file_count=len(each.files), digest=each.digest
+            )
+            for each in hosted.catalogue.layers
+        ],
         vehicles=[_vehicle(each, catalogue) for each, _, catalogue in vehicle_switches(hosted)],
         findings=listed_findings(hosted.catalogue.findings),
         rejected=listed_findings(hosted.rejected),
@@ -197,7 +196,7 @@ def _unit_fields(unit: Unit) -> Mapping[str, Any]:
 
 def quantity_schema(quantity: Quantity) -> schemas.Quantity:
     """A quantity as the API has it."""
-    return schemas.Quantity(**{**_present(quantity._asdict()), "origin": origin_schema(quantity.origin)})
+    return schemas.Quantity(**{**_present(quantity._asdict()), "origin": _place(quantity.origin)})
 
 
 def _summary_fields(hosted: Hosted) -> dict[str, Any]:
@@ -212,12 +211,6 @@ def _summary_fields(hosted: Hosted) -> dict[str, Any]:
         "roots": [plain_text(root.path) for root in catalogue.roots],
         "finding_counts": finding_counts(catalogue.findings),
     }
-
-
-def _layer(layer: Layer) -> schemas.Layer:
-    return schemas.Layer(
-        name=shown_file(layer.name), is_overlay=layer.is_overlay, file_count=len(layer.files), digest=layer.digest
-    )
 
 
 def _node_fields(node: Node) -> dict[str, Any]:

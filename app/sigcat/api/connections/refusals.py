@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from http import HTTPStatus
 
 from sigcat.api.answers.problems import MEDIA_TYPE, problem_of
-from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
+from sigcat.api.middleware.request_notes import NO_ROUTE, Note, RequestNotes, new_request_id
 
 Headers = Iterable[tuple[bytes, bytes]]
 
@@ -29,7 +29,7 @@ class Refusals:
     def answer(self, refused: Refused, path: str, client: str, headers: Headers = ()) -> bytes:
         """The whole answer, after which the connection is closed; `headers` are those of all answers of the server."""
         request_id = new_request_id()
-        self._notes.add(note_of(request_id, NO_ROUTE, path, NO_ROUTE, refused.status, 0, client, refused.detail))
+        self._notes.add(Note(request_id, NO_ROUTE, path, NO_ROUTE, refused.status, 0, client, refused.detail))
         problem = problem_of(refused.status, refused.detail)
         address = self._root_path.rstrip("/") + problem.type
         body = problem.model_copy(update={"type": address, "request_id": request_id}).model_dump_json().encode()

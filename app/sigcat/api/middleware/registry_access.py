@@ -3,7 +3,7 @@
 import ipaddress
 import re
 from http import HTTPStatus
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from fastapi import Depends, Request
 from starlette.exceptions import HTTPException
@@ -17,6 +17,7 @@ from sigcat.api.tokens import bearer
 
 if TYPE_CHECKING:
     from sigcat.registry.author import Author
+    from sigcat.registry.storing.ledger import Registry
     from sigcat.registry.storing.tokens import Scope, Token
 
 _PROXIES = ("forwarded", "via", "x-forwarded-for", "x-forwarded-host", "x-real-ip")
@@ -34,22 +35,35 @@ async def may_read(request: Request, registry: TheRegistry, settings: TheSetting
         check_scope(authorization, "read", settings.tokens)
 
 
-def author_with(scope: "Scope") -> Any:
+class Writer(NamedTuple):
+    """A request that may change the registry, and who makes it."""
+
+    request: Request
+    registry: HostedRegistry
+    author: "Author"
+
+    @property
+    def written(self) -> "Registry":
+        """The registry to write to. Raises RegistryUnusable."""
+        return self.registry.written_by(self.author)
+
+
+def writer_with(scope: "Scope") -> Any:
     """A dependency that lets only requests through that may write with a scope, and returns who writes."""
 
-    async def author(request: Request, registry: TheRegistry, settings: TheSettings) -> Any:
+    async def writer(request: Request, registry: TheRegistry, settings: TheSettings) -> Writer:
         _refuse_other_sites(request, settings)
         authorization = request.headers.get("authorization", "")
         needs_token = not _is_local(request, settings)
-        return await in_thread(request, _author, authorization, registry, scope, needs_token=needs_token)
+        author = await in_thread(request, _author, authorization, registry, scope, needs_token=needs_token)
+        return Writer(request, registry, author)
 
-    author.__name__ = f"author_with_{scope}"
-    return Depends(author)
+    return Depends(writer)
 
 
-Publisher = Annotated[Any, author_with("publish")]
-Approver = Annotated[Any, author_with("approve")]
-Administrator = Annotated[Any, author_with("administer")]
+Publisher = Annotated[Writer, writer_with("publish")]
+Approver = Annotated[Writer, writer_with("approve")]
+Administrator = Annotated[Writer, writer_with("administer")]
 Reader = Depends(may_read)
 
 

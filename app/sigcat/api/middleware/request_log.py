@@ -10,7 +10,7 @@ from fastapi import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
-from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
+from sigcat.api.middleware.request_notes import NO_ROUTE, Note, RequestNotes, new_request_id
 from sigcat.api.tracing import name_span
 from sigcat.api.work.quotas import quota_headers
 from sigcat.api.work.refusals import Busy
@@ -81,9 +81,7 @@ class RequestLog:
         client = scope.get("client") or ("", 0)
         trace = state.get("trace_id", "")
         route = _route_of(scope)
-        self._notes.add(
-            note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0], "", trace)
-        )
+        self._notes.add(Note(state["request_id"], method, scope["path"], route, status, seconds, client[0], "", trace))
 
 
 def _route_of(scope: Scope) -> str:

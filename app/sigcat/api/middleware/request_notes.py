@@ -11,7 +11,7 @@ _ids = Random()  # noqa: S311 — an id names a request and keeps no secret; ask
 
 
 class Note(NamedTuple):
-    """A request that was answered. `note_of` makes it: a client must invent neither long lines nor names of series."""
+    """A request that was answered. Its route is that of the application, or none: a client must not invent names of series."""
 
     request_id: str
     method: str
@@ -26,21 +26,6 @@ class Note(NamedTuple):
     """The trace of OpenTelemetry, if it is traced."""
 
 
-def note_of(
-    request_id: str,
-    method: str,
-    path: str,
-    route: str,
-    status: int,
-    seconds: float,
-    client: str,
-    refused: str = "",
-    trace_id: str = "",
-) -> Note:
-    """A note in which what a client chose is cut. The route is that of the application, or none."""
-    return Note(request_id, method[:20], path[:500], route, status, seconds, client[:100], refused, trace_id)
-
-
 class RequestNotes:
     """Counts requests and hands notes of them to the log."""
 
@@ -50,10 +35,11 @@ class RequestNotes:
         """Receives each note; a server sets it."""
 
     def add(self, note: Note) -> None:
-        """Note a request."""
-        self._metrics.count(note.method, note.route, note.status, note.seconds)
+        """Note a request. What a client chose is cut: it must not invent long lines."""
+        method = note.method[:20]
+        self._metrics.count(method, note.route, note.status, note.seconds)
         if self.log is not None:
-            self.log(note)
+            self.log(note._replace(method=method, path=note.path[:500], client=note.client[:100]))
 
 
 def new_request_id() -> str:

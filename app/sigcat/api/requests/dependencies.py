@@ -1,16 +1,17 @@
 """Inputs that routes take from a request: the hosted catalogue, the posted text."""
 
 import asyncio
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
 from functools import lru_cache
 from http import HTTPStatus
-from typing import Annotated, Any
+from types import MappingProxyType
+from typing import Annotated, Any, Concatenate, NamedTuple, ParamSpec, TypeVar
 
 from fastapi import Depends, Path, Query, Request
 from starlette.exceptions import HTTPException
 
 from sigcat.api.answers.negotiation import VARY_OF_304
-from sigcat.api.answers.problems import BodyRefused
+from sigcat.api.answers.problems import BodyRefused, problem_documentation
 from sigcat.api.answers.versions import state_of, version_of
 from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.held_bodies import HeldBodies, Hold
@@ -21,40 +22,14 @@ from sigcat.api.work.queue import ClientQueue, WorkQueue
 from sigcat.api.work.quotas import mark_quota
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import MARK, find_hosted
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import index_of
 from sigcat.errors import NotFound
 from sigcat.function.hosting import FunctionLibrary
-from sigcat.limits import NAME_CHARACTERS
+from sigcat.limits import NAME_CHARACTERS, Limits
 
-__all__ = [
-    "AnyCatalogue",
-    "CatalogueId",
-    "CatalogueOfNode",
-    "FileName",
-    "NamedCatalogue",
-    "PostedBody",
-    "PostedText",
-    "TheCatalogue",
-    "TheExportQueue",
-    "TheFunctions",
-    "TheLibrary",
-    "TheRules",
-    "TheSettings",
-    "TheWorkQueue",
-    "catalogue_at",
-    "functions_of",
-    "headers_of_state",
-    "hosted_at",
-    "judge_conditions",
-    "library_of",
-    "mark_catalogue",
-    "mark_state",
-    "rules_of",
-    "settings_of",
-    "text_body",
-    "version_of",
-]  # fmt: skip
-
+_Found = TypeVar("_Found")
+_Further = ParamSpec("_Further")
 _NEVER_CHANGES = "max-age=31536000, immutable"
 
 
@@ -88,22 +63,6 @@ def queue_of(request: Request) -> ClientQueue:
     return queue.of(client_of(request))
 
 
-async def _library(request: Request) -> Library:
-    return library_of(request)
-
-
-async def _functions(request: Request) -> FunctionLibrary:
-    return functions_of(request)
-
-
-async def _settings(request: Request) -> Settings:
-    return settings_of(request)
-
-
-async def _rules(request: Request) -> ServiceRules:
-    return rules_of(request)
-
-
 async def _queue(request: Request) -> ClientQueue:
     return _marked(request, request.app.state.work_queue)
 
@@ -119,12 +78,21 @@ def _marked(request: Request, queue: WorkQueue) -> ClientQueue:
     return queue.of(client)
 
 
+def _at_once(found: Callable[[Request], _Found]) -> Any:
+    """A dependency on the result of a function that takes no time."""
+
+    async def dependency(request: Request) -> _Found:
+        return found(request)
+
+    return Depends(dependency)
+
+
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
 # They take what they need from the request: each dependency of a dependency costs as much as a small answer.
-TheLibrary = Annotated[Library, Depends(_library)]
-TheFunctions = Annotated[FunctionLibrary, Depends(_functions)]
-TheSettings = Annotated[Settings, Depends(_settings)]
-TheRules = Annotated[ServiceRules, Depends(_rules)]
+TheLibrary = Annotated[Library, _at_once(library_of)]
+TheFunctions = Annotated[FunctionLibrary, _at_once(functions_of)]
+TheSettings = Annotated[Settings, _at_once(settings_of)]
+TheRules = Annotated[ServiceRules, _at_once(rules_of)]
 TheWorkQueue = Annotated[ClientQueue, Depends(_queue)]
 TheExportQueue = Annotated[ClientQueue, Depends(_export_queue)]
 CatalogueId = Annotated[
@@ -292,13 +260,51 @@ PostedText = Annotated[bytes, Depends(posted_text)]
 PostedBody = Annotated[bytes, Depends(posted_body)]
 
 
-def text_body(description: str, example: str) -> dict[str, Any]:
-    """The OpenAPI description of a posted text. It is sent unchanged, like its file, whatever its name."""
+class PostedWork(NamedTuple):
+    """A posted text with what every work on it takes: the catalogue that it is checked against, limits, and a queue."""
+
+    text: bytes
+    hosted: Hosted
+    limits: Limits
+    queue: ClientQueue
+
+    async def run(
+        self,
+        function: Callable[Concatenate[bytes, str, Catalogue, Limits, _Further], _Found],
+        name: str,
+        *further: _Further.args,
+        **options: _Further.kwargs,
+    ) -> _Found:
+        """Return a function's result about the text, which findings call by its name, from a worker process."""
+        known = self.text, name, self.hosted.catalogue, self.limits
+        return await self.queue.run(function, *known, *further, **options)
+
+
+async def _posted_work(request: Request, text: PostedText, hosted: NamedCatalogue) -> PostedWork:
+    return PostedWork(text, hosted, settings_of(request).limits, await _queue(request))
+
+
+ThePostedWork = Annotated[PostedWork, Depends(_posted_work)]
+
+
+def takes_text(
+    description: str, example: str, *statuses: int, answers: Mapping[int | str, dict[str, Any]] = MappingProxyType({})
+) -> dict[str, Any]:
+    """The documentation of an operation that takes a text: sent unchanged, like its file, whatever its name.
+
+    It may answer with problems of any posted text, and of these statuses.
+    """
     content: dict[str, Any] = {"schema": {"type": "string", "format": "binary"}}
     if example:
         content["example"] = example
     body = {"required": True, "description": description, "content": {"application/octet-stream": content}}
-    return {"requestBody": body}
+    return {
+        "responses": {**answers, **problem_documentation(*_OF_TEXTS, *statuses)},
+        "openapi_extra": {"requestBody": body},
+    }
+
+
+_OF_TEXTS = (408, 413, 415, 422, 503)
 
 
 def _check_length(length: int, request: Request, settings: Settings) -> None:

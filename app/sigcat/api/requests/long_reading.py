@@ -6,9 +6,7 @@ from typing import ParamSpec, TypeVar
 
 from fastapi import Request
 
-from sigcat.api.requests.clients import client_of
-from sigcat.api.requests.thread_turns import in_thread
-from sigcat.api.work.quotas import mark_quota
+from sigcat.api.requests.thread_turns import in_thread, to_the_end
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Node
 
@@ -30,9 +28,7 @@ async def in_turn(
     if not has_more(nodes, depth, _MANY):
         return await in_thread(request, function, *arguments, **options)
     turns: Turns = request.app.state.reading_turns
-    client = client_of(request)
-    mark_quota(request, turns.quota_of(client, "long-answers"))
-    return await turns.to_the_end(client, lambda: asyncio.to_thread(function, *arguments, **options))
+    return await to_the_end(request, turns, "long-answers", lambda: asyncio.to_thread(function, *arguments, **options))
 
 
 def has_more(nodes: Iterable[Node], depth: int, limit: int) -> bool:

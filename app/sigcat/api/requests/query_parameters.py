@@ -15,14 +15,16 @@ from sigcat.limits import PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean
 
 
-def parameter_names(dependant: Dependant) -> Iterator[str]:
-    """Names of all query parameters that a route takes, including those of its dependencies."""
+def _parameters(dependant: Dependant) -> Iterator[tuple[str, Any]]:
+    """Names and types of all query parameters that a route takes, including those of its dependencies."""
     for field in dependant.query_params:
         kind: Any = field.field_info.annotation
-        is_model = isinstance(kind, type) and issubclass(kind, BaseModel)
-        yield from kind.model_fields if is_model else (field.alias,)
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            yield from ((name, info.annotation) for name, info in kind.model_fields.items())
+        else:
+            yield field.alias, kind
     for each in dependant.dependencies:
-        yield from parameter_names(each)
+        yield from _parameters(each)
 
 
 async def refuse_unknown(request: Request) -> None:
@@ -34,9 +36,10 @@ def refuse_unless_known(request: Request, also: Iterable[str] = ()) -> None:
     """Raises RequestValidationError for parameters that the route does not have, and that are not among these."""
     if query := request.scope["query_string"]:
         _refuse_unless_utf8(query)
-        dependant = request.scope["route"].dependant
-        refuse_others(request.query_params, {*parameter_names(dependant), *also})
-        _refuse_repeated((name for name, _ in request.query_params.multi_items()), {*_lists(dependant), *also})
+        known = dict(_parameters(request.scope["route"].dependant))
+        refuse_others(request.query_params, {*known, *also})
+        lists = {name for name, kind in known.items() if _is_list(kind)}
+        _refuse_repeated((name for name, _ in request.query_params.multi_items()), {*lists, *also})
 
 
 def _refuse_unless_utf8(query: bytes) -> None:
@@ -57,18 +60,6 @@ def _is_utf8(part: bytes) -> bool:
 def _not_utf8(name: bytes) -> dict[str, Any]:
     shown = unquote_to_bytes(name[:300]).decode(errors="replace")[:100]
     return {"type": "string_unicode", "loc": ("query", shown), "msg": "Must be percent-encoded UTF-8", "input": ""}
-
-
-def _lists(dependant: Dependant) -> Iterator[str]:
-    """Names of parameters that may be repeated."""
-    for field in dependant.query_params:
-        kind: Any = field.field_info.annotation
-        if isinstance(kind, type) and issubclass(kind, BaseModel):
-            yield from (name for name, info in kind.model_fields.items() if _is_list(info.annotation))
-        elif _is_list(kind):
-            yield field.alias
-    for each in dependant.dependencies:
-        yield from _lists(each)
 
 
 def _is_list(annotation: Any) -> bool:

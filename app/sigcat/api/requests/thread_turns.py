@@ -1,6 +1,6 @@
 """Pages and answers that a thread makes: clients take turns, so that many requests of one do not delay the others."""
 
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from inspect import Parameter, iscoroutinefunction, signature
 from typing import Annotated, Any, ParamSpec, TypeVar
 
@@ -39,9 +39,16 @@ async def in_thread(
 ) -> _Result:
     """Return a function's result from a thread, when it is the client's turn. Raises Busy if too many wait."""
     turns: Turns = request.app.state.thread_turns
+    return await to_the_end(request, turns, "answers", lambda: run_in_threadpool(function, *arguments, **options))
+
+
+async def to_the_end(
+    request: Request, turns: Turns, quota: str, begin: Callable[[], Coroutine[Any, Any, _Result]]
+) -> _Result:
+    """Return the result of work that keeps its turn until it ends; the answer names the quota. Raises Busy if too many wait."""
     client = client_of(request)
-    mark_quota(request, turns.quota_of(client, "answers"))
-    return await turns.to_the_end(client, lambda: run_in_threadpool(function, *arguments, **options))
+    mark_quota(request, turns.quota_of(client, quota))
+    return await turns.to_the_end(client, begin)
 
 
 def has_turn(request: Request) -> bool:

@@ -10,8 +10,8 @@ from fastapi.responses import Response, StreamingResponse
 from pydantic import BaseModel, ConfigDict, Field
 
 from sigcat.api.answers import schemas, serializers
-from sigcat.api.answers.negotiation import CSV, answer, caching_headers, csv_parts, is_table, offered, rows
-from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.negotiation import CSV, answer, caching_headers, csv_parts, is_table, rows
+from sigcat.api.answers.problems import reads
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import (
     CatalogueOfNode,
@@ -109,20 +109,20 @@ class RowQuery(SearchQuery):
         return tuple(dict.fromkeys(name for part in self.fields.split(",") if (name := part.strip())))
 
 
-@listing.get("", response_model=schemas.CatalogueList, responses=offered("table") | problem_documentation(406))
+@listing.get("", **reads(schemas.CatalogueList, is_table=True))
 def list_catalogues(request: Request, library: TheLibrary) -> Response:
     """The hosted catalogues, the default one first."""
     listed = [serializers.catalogue_summary(hosted) for hosted in library]
     return answer(request, schemas.CatalogueList(catalogues=listed), rows(listed))
 
 
-@router.get("", response_model=schemas.Catalogue, responses=offered() | problem_documentation(404, 406, 422))
+@router.get("", **reads(schemas.Catalogue, 404, 422))
 def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
     """A catalogue with its layers and its findings."""
     return answer(request, serializers.catalogue_detail(hosted))
 
 
-@router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
+@router.get("/nodes/{path}", **reads(schemas.Node, 404, 422))
 async def get_node(request: Request, hosted: CatalogueOfNode, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
     node = await node_at(request, hosted.catalogue, path)
@@ -132,7 +132,7 @@ async def get_node(request: Request, hosted: CatalogueOfNode, path: NodePath) ->
     return await in_turn(request, [node], 1, node_answer, request, hosted, node)
 
 
-@router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(404, 406, 422))
+@router.get("/tree", **reads(schemas.TreeNode, 404, 422))
 async def get_tree(
     request: Request,
     hosted: CatalogueOfNode,
@@ -152,11 +152,7 @@ async def get_tree(
     return await in_turn(request, [node], depth, _tree_answer, request, node, depth)
 
 
-@router.get(
-    "/search",
-    response_model=schemas.SearchPage,
-    responses=offered("table") | problem_documentation(404, 406, 422),
-)
+@router.get("/search", **reads(schemas.SearchPage, 404, 422, is_table=True))
 def search_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
 ) -> Response:
@@ -165,11 +161,7 @@ def search_nodes(
     return answer(request, page, rows(page.hits))
 
 
-@router.get(
-    "/nodes",
-    response_model=schemas.NodePage,
-    responses=offered("table") | problem_documentation(404, 406, 422),
-)
+@router.get("/nodes", **reads(schemas.NodePage, 404, 422, is_table=True))
 def list_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[RowQuery, Query()]
 ) -> Response:
@@ -185,20 +177,14 @@ def list_nodes(
     return answer(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
 
 
-@router.get(
-    "/units", response_model=schemas.UnitList, responses=offered("table") | problem_documentation(404, 406, 422)
-)
+@router.get("/units", **reads(schemas.UnitList, 404, 422, is_table=True))
 def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
     units = [serializers.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
     return answer(request, schemas.UnitList(units=units), rows(units))
 
 
-@router.get(
-    "/quantities",
-    response_model=schemas.QuantityList,
-    responses=offered("table") | problem_documentation(404, 406, 422),
-)
+@router.get("/quantities", **reads(schemas.QuantityList, 404, 422, is_table=True))
 def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
     known = hosted.catalogue.vocabulary.quantities.values()

@@ -8,16 +8,8 @@ from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.named_types import Binding, Compatibility
-from sigcat.api.answers.negotiation import (
-    JSON,
-    YAML,
-    caching_headers,
-    chosen_type,
-    json_bytes,
-    offered,
-    written,
-)
-from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.negotiation import JSON, YAML, caching_headers, chosen_type, json_bytes, written
+from sigcat.api.answers.problems import problem_documentation, reads
 from sigcat.api.answers.serializers import diff_schema, history_schema, trial_schema
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.dependencies import (
@@ -31,7 +23,7 @@ from sigcat.api.requests.dependencies import (
     catalogue_at,
     judge_conditions,
     mark_state,
-    text_body,
+    takes_text,
 )
 from sigcat.api.routes.catalogues import NodePath, node_at
 from sigcat.catalogue.comparing.bindings import chosen, for_bindings
@@ -49,13 +41,14 @@ router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["changes"])
 
 MARKDOWN, TEXT = "text/markdown", "text/plain"
 _FORMS = (JSON, YAML, MARKDOWN, TEXT)
-_OVERLAY = """\
+OVERLAY = """\
 Vehicle.Speed:
   type: sensor
   datatype: float
   unit: km/h
   max: 300
 """
+"""An overlay over the shipped catalogue."""
 
 
 @router.get(
@@ -100,11 +93,7 @@ async def diff_catalogues(
     return Response(report, media_type=form, headers=caching_headers(request))
 
 
-@router.get(
-    "/nodes/{path}/history",
-    response_model=schemas.NodeHistory,
-    responses=offered() | problem_documentation(404, 406, 422, 503),
-)
+@router.get("/nodes/{path}/history", **reads(schemas.NodeHistory, 404, 422, 503))
 async def get_node_history(
     request: Request, hosted: AnyCatalogue, path: NodePath, library: TheLibrary, queue: TheWorkQueue
 ) -> Response:
@@ -120,8 +109,7 @@ async def get_node_history(
 @router.post(
     "/trial",
     response_model=schemas.Trial,
-    responses=problem_documentation(404, 408, 413, 415, 422, 503),
-    openapi_extra=text_body("An overlay: the text of its file. It cannot include others.", _OVERLAY),
+    **takes_text("An overlay: the text of its file. It cannot include others.", OVERLAY, 404),
 )
 async def try_overlay(
     text: PostedText,

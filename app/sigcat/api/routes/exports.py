@@ -14,8 +14,6 @@ from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.requests.dependencies import TheCatalogue, TheExportQueue, TheSettings
 from sigcat.api.requests.export_options import export_query, given_options
 from sigcat.api.requests.thread_turns import InThread, parts_in_turn
-from sigcat.api.settings import Settings
-from sigcat.api.work.queue import ClientQueue
 from sigcat.catalogue.exporting.export import exported, refuse_unfit
 from sigcat.catalogue.exporting.exporter import Exporter
 from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
@@ -33,7 +31,7 @@ _COUNTED = {"Sigcat-Warnings": {"description": "How many warnings there are.", "
 
 
 def _add_exporter(exporter: Exporter) -> None:
-    """The operation of a format: each has its own address, options and media type."""
+    """The operation of a format: each has its own address, options and media type. JSON is sent while it is written."""
     options = export_query(exporter)
 
     async def export_catalogue(
@@ -43,8 +41,18 @@ def _add_exporter(exporter: Exporter) -> None:
         queue: TheExportQueue,
         query: Annotated[options, Query()],  # type: ignore[valid-type]
     ) -> Response:
-        given = given_options(query, exporter)
-        return await _export(request, hosted.catalogue, exporter, given, settings, queue)
+        catalogue, given = hosted.catalogue, given_options(query, exporter)
+        if request.state.is_head:
+            refuse_unfit(catalogue, exporter, given)
+            return _head(request, exporter.media_type)
+        if exporter.stream is not None and (parts := exporter.stream(catalogue, given)) is not None:
+            refuse_unfit(catalogue, exporter, given)
+            return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
+        key = (catalogue, exporter.name, repr(sorted(given.items())))
+        bounds = settings.heavy_seconds, settings.heavy_bytes
+        export = await queue.run_once(key, _exported, catalogue, exporter.name, given, *bounds)
+        count = {"Sigcat-Warnings": str(export.warnings)}
+        return _sent(request, _blocks(export.data), export.name, export.media_type, count)
 
     router.get(
         f"/export/{exporter.name}",
@@ -80,28 +88,6 @@ for each in EXPORTERS.values():
 def refuse_format(format: str) -> None:  # noqa: A002 - the name in the address
     """Raises NotFound with the formats that may have been meant."""
     exporter_named(format)
-
-
-async def _export(
-    request: Request,
-    catalogue: Catalogue,
-    exporter: Exporter,
-    options: Mapping[str, Any],
-    settings: Settings,
-    queue: ClientQueue,
-) -> Response:
-    """The files of an export. JSON is sent while it is written."""
-    if request.state.is_head:
-        refuse_unfit(catalogue, exporter, options)
-        return _head(request, exporter.media_type)
-    if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
-        refuse_unfit(catalogue, exporter, options)
-        return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
-    key = (catalogue, exporter.name, repr(sorted(options.items())))
-    bounds = settings.heavy_seconds, settings.heavy_bytes
-    export = await queue.run_once(key, _exported, catalogue, exporter.name, options, *bounds)
-    count = {"Sigcat-Warnings": str(export.warnings)}
-    return _sent(request, _blocks(export.data), export.name, export.media_type, count)
 
 
 def _head(request: Request, media_type: str) -> Response:

@@ -1,13 +1,14 @@
 """Routes that take a function from its declaration to Function JSON."""
 
+from typing import Any
+
 from fastapi import APIRouter
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.negotiation import JSON, json_bytes
-from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
-from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.requests.dependencies import FileName, ThePostedWork, takes_text
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
@@ -31,55 +32,37 @@ components:
       - WheelSpeedCalculation_Terminate
 """
 """A declaration that can be built against the shipped catalogue."""
+_BUILT: dict[int | str, dict[str, Any]] = {
+    200: {
+        "model": FunctionJson,
+        "description": "The Function JSON, byte for byte as `sigcat function build` writes it.",
+        "headers": {"Sigcat-Warnings": {"description": "How many warnings there are.", "schema": {"type": "integer"}}},
+    }
+}
 
 
 @router.post(
     "/build",
     response_class=Response,
-    responses={
-        200: {
-            "model": FunctionJson,
-            "description": "The Function JSON, byte for byte as `sigcat function build` writes it.",
-            "headers": {
-                "Sigcat-Warnings": {"description": "How many warnings there are.", "schema": {"type": "integer"}}
-            },
-        },
-        **problem_documentation(404, 408, 413, 415, 422, 503),
-    },
-    openapi_extra=text_body("The declaration of a function: the text of `function.yaml`.", DECLARATION),
+    **takes_text("The declaration of a function: the text of `function.yaml`.", DECLARATION, 404, answers=_BUILT),
 )
-async def build_function_json(
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    name: FileName = "function.yaml",
-) -> Response:
+async def build_function_json(work: ThePostedWork, name: FileName = "function.yaml") -> Response:
     """Resolve a declaration against a catalogue. To see the warnings, lint the same text with `kind=function`."""
-
-    function_json, warnings = await queue.run(_built, text, name, hosted.catalogue, settings.limits)
+    function_json, warnings = await work.run(_built, name)
     return Response(function_json, media_type=JSON, headers={"Sigcat-Warnings": str(warnings)})
 
 
 @router.post(
     "/validate",
     response_model=schemas.LintReport,
-    responses=problem_documentation(404, 408, 413, 415, 422, 503),
-    openapi_extra=text_body(f"A function file from anywhere; or several, which are checked together: {SET}.", ""),
+    **takes_text(f"A function file from anywhere; or several, which are checked together: {SET}.", "", 404),
 )
-async def validate_function(
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    name: FileName = "function",
-) -> Response:
+async def validate_function(work: ThePostedWork, name: FileName = "function") -> Response:
     """Check functions, alone and together. Errors make them unusable; warnings are departures from the conventions.
 
     The text is Function JSON unless its `name` ends otherwise.
     """
-
-    return Response(await queue.run(_report, text, name, hosted.catalogue, settings.limits), media_type=JSON)
+    return Response(await work.run(_report, name), media_type=JSON)
 
 
 def _built(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> tuple[bytes, int]:

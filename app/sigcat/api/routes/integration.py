@@ -11,7 +11,7 @@ from sigcat.api.answers import schemas
 from sigcat.api.answers.archives import ZIP, archive
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import finding_schema
-from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.requests.dependencies import FileName, PostedText, ThePostedWork, TheSettings, TheWorkQueue, takes_text
 from sigcat.api.requests.enumerations import enumeration, one_of
 from sigcat.api.requests.function_files import SET, posted_functions
 from sigcat.api.requests.thread_turns import InThread
@@ -42,46 +42,31 @@ PlatformName = Annotated[_PLATFORM, Path(description="The platform.")]  # type: 
 _COUNTED = {"Sigcat-Warnings": {"description": "How many findings there are.", "schema": {"type": "integer"}}}
 
 
+def _makes(answer: dict[str, Any], body: str = _BODY) -> dict[str, Any]:
+    """The documentation of an operation that makes something of functions."""
+    return {"response_class": Response, **takes_text(body, DECLARATION, 404, answers={200: answer})}
+
+
 @router.post(
     "/integrate/{platform}",
-    response_class=Response,
-    responses={
-        200: {"model": schemas.IntegrationJson, "description": "The Integration JSON.", "headers": _COUNTED},
-        **problem_documentation(404, 408, 413, 415, 422, 503),
-    },
-    openapi_extra=text_body(_BODY, DECLARATION),
+    **_makes({"model": schemas.IntegrationJson, "description": "The Integration JSON.", "headers": _COUNTED}),
 )
 async def integrate_functions(
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    platform: PlatformName,
-    name: FileName = "function.yaml",
+    work: ThePostedWork, platform: PlatformName, name: FileName = "function.yaml"
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions."""
-    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits)
+    return await work.run(_integrated, name, platform)
 
 
 @router.post(
     "/integrate/{platform}/archive",
-    response_class=Response,
-    responses={
-        200: {"description": "A zip of Integration JSON, report and findings.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(404, 408, 413, 415, 422, 503),
-    },
-    openapi_extra=text_body(_BODY, DECLARATION),
+    **_makes({"description": "A zip of Integration JSON, report and findings.", "content": ZIP, "headers": _COUNTED}),
 )
 async def integrate_functions_archive(
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    platform: PlatformName,
-    name: FileName = "function.yaml",
+    work: ThePostedWork, platform: PlatformName, name: FileName = "function.yaml"
 ) -> Response:
     """Derive the Integration JSON of a function or a set of functions, with the report of every field and the findings."""
-    return await queue.run(_integrated, text, name, hosted.catalogue, platform, settings.limits, is_whole=True)
+    return await work.run(_integrated, name, platform, is_whole=True)
 
 
 def _add_generator(platform: Platform, generator: Generator, releases: Any) -> None:
@@ -118,11 +103,11 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
         name=f"generate_{snake_case(generator.name)}",
         description=f"Generate the {generator.title} of {generator.target}.",
         response_class=Response,
-        responses={
-            200: {"description": f"The {generator.title} files as a zip.", "content": ZIP},
-            **problem_documentation(408, 413, 415, 422, 503),
-        },
-        openapi_extra=text_body(f"The Integration JSON of {platform.title}.", ""),
+        **takes_text(
+            f"The Integration JSON of {platform.title}.",
+            "",
+            answers={200: {"description": f"The {generator.title} files as a zip.", "content": ZIP}},
+        ),
     )(generate_files)
 
 
@@ -143,22 +128,14 @@ for each in dict.fromkeys(g.release_word for platform in PLATFORMS.values() for 
 
 @router.post(
     "/generate/core",
-    response_class=Response,
-    responses={
-        200: {"description": "A header and a source for each function, as a zip.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(404, 408, 413, 415, 422, 503),
-    },
-    openapi_extra=text_body(f"One function, as `function.yaml` or Function JSON; or a set: {SET}.", DECLARATION),
+    **_makes(
+        {"description": "A header and a source for each function, as a zip.", "content": ZIP, "headers": _COUNTED},
+        f"One function, as `function.yaml` or Function JSON; or a set: {SET}.",
+    ),
 )
-async def generate_core(
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    name: FileName = "function.yaml",
-) -> Response:
+async def generate_core(work: ThePostedWork, name: FileName = "function.yaml") -> Response:
     """Generate the core of the adapter of each function in C, which every platform calls. Nothing is compiled."""
-    return await queue.run(_core, text, name, hosted.catalogue, settings.limits)
+    return await work.run(_core, name)
 
 
 @router.get("/schemas")
@@ -177,7 +154,7 @@ def get_schema(
 
 
 def _integrated(
-    text: bytes, name: str, catalogue: Catalogue, platform: str, limits: Limits, *, is_whole: bool = False
+    text: bytes, name: str, catalogue: Catalogue, limits: Limits, platform: str, *, is_whole: bool = False
 ) -> Response:
     with_identifiers, with_previous = PLATFORMS[platform].with_identifiers, PLATFORMS[platform].with_previous
     known = {"deployment": True, "identifiers": with_identifiers, "previous": with_previous}

@@ -7,16 +7,18 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import registry_schemas as schemas
-from sigcat.api.answers.negotiation import JSON, answer, json_bytes, offered
-from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.middleware.registry_access import Approver, Reader
-from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.answers.negotiation import JSON, answer, json_bytes
+from sigcat.api.answers.problems import reads
+from sigcat.api.middleware.registry_access import Approver, Reader, Writer
+from sigcat.api.requests.hosted_registry import TheRegistry
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.registry_writing import CHANGED, AnyVersion, GroupName, Text, changed, in_turn
 from sigcat.limits import PARAMETER_CHARACTERS
+from sigcat.registry.reference import KIND_OF, reference_of
 
 if TYPE_CHECKING:
     from sigcat.registry.decisions.approvals import Decided
+    from sigcat.registry.storing.ledger import Registry
 
 router = APIRouter(prefix="/api/v1/registry", tags=["registry"], route_class=InThread)
 _VALID_DAYS = 30
@@ -26,56 +28,41 @@ Content = Annotated[
 ]
 
 
-@router.get(
-    "/pending", response_model=schemas.RegistryPendingList, responses=offered() | problem_documentation(404, 406)
-)
+@router.get("/pending", **reads(schemas.RegistryPendingList, 404))
 def list_pending_versions(request: Request, registry: TheRegistry) -> Response:
     """Versions that wait for approvals, with the decisions about their content."""
     from sigcat.api.answers import registry_answers
 
     with registry.reading() as connection:
-        found = registry_answers.pending_versions(connection)
-    return answer(request, found)
+        return answer(request, registry_answers.pending_versions(connection))
 
 
-@router.get(
-    "/deprecations",
-    response_model=schemas.RegistryDeprecationList,
-    responses=offered() | problem_documentation(404, 406),
-    dependencies=[Reader],
-)
+@router.get("/deprecations", dependencies=[Reader], **reads(schemas.RegistryDeprecationList, 404))
 def list_deprecations(request: Request, registry: TheRegistry) -> Response:
     """Deprecated versions, the owners that use them, and which of them acknowledged it."""
     from sigcat.api.answers import registry_answers
 
     with registry.reading() as connection:
-        found = registry_answers.deprecated_versions(connection)
-    return answer(request, found)
+        return answer(request, registry_answers.deprecated_versions(connection))
 
 
 @router.post("/acknowledge", response_model=schemas.RegistryChange, responses=CHANGED)
 async def acknowledge_deprecation(
-    request: Request,
-    author: Approver,
-    registry: TheRegistry,
+    writer: Approver,
     reference: AnyVersion,
     owner: Annotated[Text, Query(description="Owner of functions that use it; without it, that of the token.")] = "",
     group: GroupName = "functions",
 ) -> Response:
     """Record that an owner of functions knows of the deprecation of a version that they use."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.decisions.acknowledgements import acknowledge
-    from sigcat.registry.reference import reference_of
 
-    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
-    return await changed(request, registry, lambda: acknowledge(registry.written_by(author), kind, named, team))
+    kind, named, team = KIND_OF[group], reference_of(reference), owner or writer.author.owner
+    return await changed(writer, lambda written: acknowledge(written, kind, named, team))
 
 
 @router.post("/approve", response_model=schemas.RegistryDecision, responses=CHANGED)
 async def approve_version(
-    request: Request,
-    author: Approver,
-    registry: TheRegistry,
+    writer: Approver,
     reference: AnyVersion,
     owner: Owner = "",
     group: GroupName = "functions",
@@ -83,23 +70,15 @@ async def approve_version(
     valid_days: Annotated[int, Query(ge=0, description="Days until the approval ends.")] = _VALID_DAYS,
 ) -> Response:
     """Approve the content of a pending version. It is published when the same bytes are published again."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.decisions.approvals import approve
-    from sigcat.registry.reference import reference_of
 
-    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
-    return await _decided(
-        request,
-        registry,
-        lambda: approve(registry.written_by(author), kind, named, team, valid_days, content_digest),
-    )
+    kind, named, team = KIND_OF[group], reference_of(reference), owner or writer.author.owner
+    return await _decided(writer, lambda written: approve(written, kind, named, team, valid_days, content_digest))
 
 
 @router.post("/reject", response_model=schemas.RegistryDecision, responses=CHANGED)
 async def reject_version(
-    request: Request,
-    author: Approver,
-    registry: TheRegistry,
+    writer: Approver,
     reference: AnyVersion,
     reason: Annotated[str, Query(max_length=PARAMETER_CHARACTERS, description="Reason, which the next publish has.")],
     owner: Owner = "",
@@ -107,22 +86,19 @@ async def reject_version(
     content_digest: Content = "",
 ) -> Response:
     """Reject the content of a pending version."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.decisions.approvals import reject
-    from sigcat.registry.reference import reference_of
 
-    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
-    return await _decided(
-        request, registry, lambda: reject(registry.written_by(author), kind, named, team, reason, content_digest)
-    )
+    kind, named, team = KIND_OF[group], reference_of(reference), owner or writer.author.owner
+    return await _decided(writer, lambda written: reject(written, kind, named, team, reason, content_digest))
 
 
-async def _decided(request: Request, registry: HostedRegistry, decide: "Callable[[], Decided]") -> Response:
-    return Response(json_bytes(await in_turn(request, lambda: _decision(registry, decide()))), media_type=JSON)
+async def _decided(writer: Writer, decide: "Callable[[Registry], Decided]") -> Response:
+    return Response(json_bytes(await in_turn(writer.request, lambda: _decision(writer, decide))), media_type=JSON)
 
 
-def _decision(registry: HostedRegistry, decided: "Decided") -> schemas.RegistryDecision:
+def _decision(writer: Writer, decide: "Callable[[Registry], Decided]") -> schemas.RegistryDecision:
     from sigcat.api.answers.registry_answers import decision
 
-    with registry.reading() as connection:
+    decided = decide(writer.written)
+    with writer.registry.reading() as connection:
         return decision(connection, decided)

@@ -60,8 +60,7 @@ def _events(registry: HostedRegistry, after: int, most: int) -> schemas.Registry
 
 
 def _last_number(registry: HostedRegistry) -> int:
-    from sigcat.registry.storing.ledger import head
+    from sigcat.registry.storing.ledger import last_number
 
     with registry.reading() as connection:
-        last = head(connection)
-    return last.number if last else 0
+        return last_number(connection)

@@ -1,5 +1,7 @@
 """Routes that read the registry: names, versions with their content, users, vehicle lines and the log."""
 
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
@@ -8,12 +10,12 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from sigcat import __version__
 from sigcat.api.answers import registry_schemas as schemas
-from sigcat.api.answers.negotiation import answer, caching_headers, offered
-from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.negotiation import Data, answer, caching_headers
+from sigcat.api.answers.problems import problem_documentation, reads
 from sigcat.api.middleware.registry_access import Reader
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import NamedCatalogue, TheSettings, judge_conditions, mark_state
-from sigcat.api.requests.hosted_registry import TheRegistry
+from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.catalogues import mark_next_page, page_size
 from sigcat.catalogue.hosting.variants import expanded_of
@@ -68,34 +70,27 @@ _CONTENT: dict[int | str, dict[str, Any]] = {
 }
 
 
-@router.get("", response_model=schemas.Registry, responses=offered() | problem_documentation(404, 406))
+@router.get("", **reads(schemas.Registry, 404))
 def get_registry(request: Request, registry: TheRegistry) -> Response:
     """Number of published names, and the head of the log."""
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.registry(connection)
-        _mark(request, connection)
-    return answer(request, found)
+    return _answered(request, registry, registry_answers.registry)
 
 
-@router.get(
-    "/capabilities", response_model=schemas.RegistryCapabilities, responses=offered() | problem_documentation(406)
-)
+@router.get("/capabilities", **reads(schemas.RegistryCapabilities))
 def get_registry_capabilities(request: Request) -> Response:
     """Parts of xRegistry that the registry has."""
     return answer(request, _CAPABILITIES)
 
 
-@router.get("/model", response_model=schemas.RegistryModel, responses=offered() | problem_documentation(406))
+@router.get("/model", **reads(schemas.RegistryModel))
 def get_registry_model(request: Request) -> Response:
     """Kinds of names, as xRegistry describes resources."""
     return answer(request, _MODEL)
 
 
-@router.get(
-    "/users", response_model=schemas.RegistryUserList, responses=offered() | problem_documentation(404, 406, 422)
-)
+@router.get("/users", **reads(schemas.RegistryUserList, 404, 422))
 def list_registry_users(
     request: Request,
     registry: TheRegistry,
@@ -119,24 +114,20 @@ def list_registry_users(
     """
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.users(connection, path, expanded_of(hosted.catalogue), is_complete=all_versions)
-        _mark(request, connection)
-    return answer(request, found)
+    over = expanded_of(hosted.catalogue)
+    users = partial(registry_answers.users, path=path, over=over, is_complete=all_versions)
+    return _answered(request, registry, users)
 
 
-@router.get("/lines", response_model=schemas.VehicleLineList, responses=offered() | problem_documentation(404, 406))
+@router.get("/lines", **reads(schemas.VehicleLineList, 404))
 def list_vehicle_lines(request: Request, registry: TheRegistry, line: Line = None) -> Response:
     """Vehicle lines, and what their vehicles run."""
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.lines(connection) if line is None else [registry_answers.line(connection, line)]
-        _mark(request, connection)
-    return answer(request, schemas.VehicleLineList(lines=found))
+    return _answered(request, registry, partial(registry_answers.lines, only=line))
 
 
-@router.get("/log", response_model=schemas.LogPage, responses=offered() | problem_documentation(404, 406))
+@router.get("/log", **reads(schemas.LogPage, 404))
 def list_log_entries(request: Request, registry: TheRegistry, settings: TheSettings, query: ThePage) -> Response:
     """The log in its order. Its entries have what it takes to verify the chain and the signatures."""
     from sigcat.api.answers import registry_answers
@@ -186,7 +177,7 @@ def get_registry_content(
     return _bytes(request, data)
 
 
-@router.get("/{group}", response_model=schemas.RegistryNamePage, responses=offered() | problem_documentation(404, 406))
+@router.get("/{group}", **reads(schemas.RegistryNamePage, 404))
 def list_registry_names(
     request: Request,
     registry: TheRegistry,
@@ -208,19 +199,12 @@ def list_registry_names(
     return answer(request, page)
 
 
-@router.get(
-    "/{group}/{name}$details",
-    response_model=schemas.RegistryName,
-    responses=offered() | problem_documentation(404, 406),
-)
+@router.get("/{group}/{name}$details", **reads(schemas.RegistryName, 404))
 def get_registry_name(request: Request, registry: TheRegistry, group: Group, name: Name) -> Response:
     """A published name, with its default version and its rule."""
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.name(connection, group, name)
-        _mark(request, connection)
-    return answer(request, found)
+    return _answered(request, registry, partial(registry_answers.name, group=group, named=name))
 
 
 @router.get("/{group}/{name}", response_class=Response, responses=_CONTENT | problem_documentation(404))
@@ -229,36 +213,23 @@ def get_default_content(request: Request, registry: TheRegistry, group: Group, n
     return _content(request, registry, group, name)
 
 
-@router.get(
-    "/{group}/{name}/versions",
-    response_model=schemas.RegistryVersionList,
-    responses=offered() | problem_documentation(404, 406),
-)
+@router.get("/{group}/{name}/versions", **reads(schemas.RegistryVersionList, 404))
 def list_registry_versions(request: Request, registry: TheRegistry, group: Group, name: Name) -> Response:
     """Versions of a name by precedence."""
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.versions(connection, group, name)
-        _mark(request, connection)
-    return answer(request, schemas.RegistryVersionList(versions=found))
+    return _answered(request, registry, partial(registry_answers.versions, group=group, named=name))
 
 
-@router.get(
-    "/{group}/{name}/versions/{version}$details",
-    response_model=schemas.RegistryVersion,
-    responses=offered() | problem_documentation(404, 406),
-)
+@router.get("/{group}/{name}/versions/{version}$details", **reads(schemas.RegistryVersion, 404))
 def get_registry_version(
     request: Request, registry: TheRegistry, group: Group, name: Name, version: VersionId, inline: Inline = None
 ) -> Response:
     """A version without its content: state, owner, lines, and on demand its uses."""
     from sigcat.api.answers import registry_answers
 
-    with registry.reading() as connection:
-        found = registry_answers.version(connection, group, name, version, has_uses=inline is not None)
-        _mark(request, connection)
-    return answer(request, found)
+    asked = partial(registry_answers.version, group=group, named=name, version_id=version, has_uses=inline is not None)
+    return _answered(request, registry, asked)
 
 
 @router.get(
@@ -271,8 +242,16 @@ def get_version_content(
     return _content(request, registry, group, name, version)
 
 
+def _answered(request: Request, registry: HostedRegistry, found: "Callable[[Snapshot], Data]") -> Response:
+    """Return what is found in one state of the registry. Raises a 304 or a 412."""
+    with registry.reading() as connection:
+        data = found(connection)
+        _mark(request, connection)
+    return answer(request, data)
+
+
 def _content(
-    request: Request, registry: TheRegistry, group: schemas.RegistryGroup, name: str, version: str = ""
+    request: Request, registry: HostedRegistry, group: schemas.RegistryGroup, name: str, version: str = ""
 ) -> Response:
     from sigcat.api.answers import registry_answers
     from sigcat.registry.storing.content import content_of

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from http import HTTPStatus
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from fastapi import APIRouter, Query, Request
 from fastapi.concurrency import run_in_threadpool
@@ -13,23 +13,23 @@ from sigcat.api.answers import registry_schemas, schemas
 from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
-from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader
-from sigcat.api.requests.clients import client_of
-from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader, Writer
+from sigcat.api.requests.dependencies import FileName, ThePostedWork, TheWorkQueue, takes_text
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.requests.thread_turns import to_the_end
 from sigcat.api.routes.functions import DECLARATION
-from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import UsageError
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_VALUES, Limits
 from sigcat.project.project import ServerUrl
+from sigcat.registry.reference import KIND_OF, reference_of
 
 if TYPE_CHECKING:
-    from sigcat.registry.author import Author
     from sigcat.registry.candidates.candidate import Candidate
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.entry import Action
+    from sigcat.registry.storing.ledger import Registry
 
 router = APIRouter(prefix="/api/v1/registry", tags=["registry"])
 
@@ -49,63 +49,44 @@ LineName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="Vehicle
 GroupName = Annotated[registry_schemas.RegistryGroup, Query(description="Kind of the name.")]
 CHANGED = problem_documentation(401, 403, 404, 422, 503, 507)
 """Problems of a change."""
-_POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
+_PUBLISHED: dict[int | str, dict[str, Any]] = {
+    200: {"description": "Everything was published before."},
+    201: {"model": registry_schemas.RegistryReceipt, "description": "Versions were published."},
+    202: {
+        "model": registry_schemas.RegistryReceipt,
+        "description": "A version is pending until the owners of broken functions approve it.",
+    },
+}
 
 
 @router.post(
     "/publish",
     response_model=registry_schemas.RegistryReceipt,
-    responses={
-        200: {"description": "Everything was published before."},
-        201: {"model": registry_schemas.RegistryReceipt, "description": "Versions were published."},
-        202: {
-            "model": registry_schemas.RegistryReceipt,
-            "description": "A version is pending until the owners of broken functions approve it.",
-        },
-        **_POSTED,
-        **problem_documentation(409, 507),
-    },
-    openapi_extra=text_body(_FILES, DECLARATION),
+    **takes_text(_FILES, DECLARATION, 401, 403, 404, 409, 507, answers=_PUBLISHED),
 )
 async def publish_versions(
-    request: Request,
-    author: Publisher,
-    registry: TheRegistry,
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
+    writer: Publisher,
+    work: ThePostedWork,
     name: FileName = "posted.yaml",
     version: Annotated[Text, Query(description="Version of SemVer 2.0; without it, that of the function file.")] = "",
     owner: Annotated[Text, Query(description="Owner of an overlay; without it, that of the token.")] = "",
     draft: Annotated[bool, Query(description="Publish drafts, which may change.")] = False,
 ) -> Response:
     """Publish files as versions: all of them, or none. The same bytes again change nothing; other bytes are refused."""
-    owned = owner or author.owner
-    candidates = await queue.run(_candidates, text, name, hosted.catalogue, version, owned, settings.limits)
-    receipt = await in_turn(request, lambda: _publish(registry, author, candidates, is_draft=draft))
+    candidates = await work.run(_candidates, name, version, owner or writer.author.owner)
+    receipt = await in_turn(writer.request, lambda: _publish(writer, candidates, is_draft=draft))
     return Response(json_bytes(receipt), _status(receipt), media_type=JSON)
 
 
 @router.post(
     "/check",
     response_model=schemas.LintReport,
-    responses=_POSTED,
-    openapi_extra=text_body(_FILES, DECLARATION),
     dependencies=[Reader],
+    **takes_text(_FILES, DECLARATION, 401, 403, 404),
 )
-async def check_versions(
-    registry: TheRegistry,
-    text: PostedText,
-    hosted: NamedCatalogue,
-    settings: TheSettings,
-    queue: TheWorkQueue,
-    name: FileName = "posted.yaml",
-) -> Response:
+async def check_versions(registry: TheRegistry, work: ThePostedWork, name: FileName = "posted.yaml") -> Response:
     """Published functions that files would break, in the vehicle lines in which they run. Nothing is published."""
-    database = registry.present()
-    report = await queue.run(_report, database, text, name, hosted.catalogue, settings.limits)
-    return Response(report, media_type=JSON)
+    return Response(await work.run(_report, name, registry.present()), media_type=JSON)
 
 
 @router.post(
@@ -125,80 +106,55 @@ async def can_deploy(
     ] = None,
 ) -> Response:
     """Whether a version fits every version of other functions that vehicles of the line run. Nothing is recorded."""
-    database = registry.present()
-    answer = await queue.run(_deployment, database, (function, *(others or ())), line)
+    answer = await queue.run(_deployment, registry.present(), (function, *(others or ())), line)
     return Response(answer, media_type=JSON)
 
 
 @router.post("/record-deployment", response_model=registry_schemas.RegistryChange, responses=CHANGED)
-async def record_deployment(
-    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
-) -> Response:
+async def record_deployment(writer: Approver, function: FunctionVersion, line: LineName) -> Response:
     """Record that all vehicles of a line run a version, in place of other versions of it."""
-    return await _recorded(request, registry, author, "deployment", function, line)
+    return await _recorded(writer, "deployment", function, line)
 
 
 @router.post("/record-release", response_model=registry_schemas.RegistryChange, responses=CHANGED)
-async def record_release(
-    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
-) -> Response:
+async def record_release(writer: Approver, function: FunctionVersion, line: LineName) -> Response:
     """Record that vehicles of a line run a version, next to the versions that others keep."""
-    return await _recorded(request, registry, author, "release", function, line)
+    return await _recorded(writer, "release", function, line)
 
 
 @router.post("/support-ended", response_model=registry_schemas.RegistryChange, responses=CHANGED)
-async def end_support(
-    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
-) -> Response:
+async def end_support(writer: Approver, function: FunctionVersion, line: LineName) -> Response:
     """Record that no vehicle of a line runs a version any more."""
-    return await _recorded(request, registry, author, "support ended", function, line)
+    return await _recorded(writer, "support ended", function, line)
 
 
 @router.post("/deprecate", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def deprecate_version(
-    request: Request,
-    author: Publisher,
-    registry: TheRegistry,
+    writer: Publisher,
     reference: AnyVersion,
     group: GroupName = "functions",
     removal: Annotated[Text, Query(description="Day on which its support may end, such as 2027-01-31.")] = "",
     alternative: Annotated[Text, Query(description="Version that replaces it.")] = "",
 ) -> Response:
     """Mark a version as deprecated."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.lines import set_state
-    from sigcat.registry.reference import reference_of
 
-    named, kind = reference_of(reference), kind_of(group)
-    return await changed(
-        request,
-        registry,
-        lambda: set_state(registry.written_by(author), kind, named, "deprecated", removal, alternative),
-    )
+    kind, named = KIND_OF[group], reference_of(reference)
+    return await changed(writer, lambda written: set_state(written, kind, named, "deprecated", removal, alternative))
 
 
 @router.post("/retire", response_model=registry_schemas.RegistryChange, responses=CHANGED)
-async def retire_version(
-    request: Request,
-    author: Publisher,
-    registry: TheRegistry,
-    reference: AnyVersion,
-    group: GroupName = "functions",
-) -> Response:
+async def retire_version(writer: Publisher, reference: AnyVersion, group: GroupName = "functions") -> Response:
     """Mark a version as retired, which no vehicle runs."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.lines import set_state
-    from sigcat.registry.reference import reference_of
 
-    named, kind = reference_of(reference), kind_of(group)
-    return await changed(request, registry, lambda: set_state(registry.written_by(author), kind, named, "retired"))
+    kind, named = KIND_OF[group], reference_of(reference)
+    return await changed(writer, lambda written: set_state(written, kind, named, "retired"))
 
 
 @router.post("/rule", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def set_compatibility_rule(
-    request: Request,
-    author: Administrator,
-    registry: TheRegistry,
+    writer: Administrator,
     published: Annotated[Text, Query(description="Published name.", examples=["CoreAcc"])],
     compatibility_rule: Annotated[
         registry_schemas.CompatibilityRule, Query(description="Rule for new versions.", examples=["full"])
@@ -206,13 +162,9 @@ async def set_compatibility_rule(
     group: GroupName = "functions",
 ) -> Response:
     """Set the rule that new versions of a name follow."""
-    from sigcat.api.answers.registry_answers import kind_of
     from sigcat.registry.lines import set_rule
 
-    kind = kind_of(group)
-    return await changed(
-        request, registry, lambda: set_rule(registry.written_by(author), kind, published, compatibility_rule)
-    )
+    return await changed(writer, lambda written: set_rule(written, KIND_OF[group], published, compatibility_rule))
 
 
 # -- writing, one after the other ---------------------------------------------------------------------------------
@@ -221,24 +173,20 @@ async def set_compatibility_rule(
 async def in_turn(request: Request, write: Callable[[], _Result]) -> _Result:
     """Return the result of writing in a thread: one request writes, others wait without a thread."""
     turns: Turns = request.app.state.registry_turns
-    client = client_of(request)
-    mark_quota(request, turns.quota_of(client, "registry"))
-    return await turns.to_the_end(client, lambda: run_in_threadpool(write))
+    return await to_the_end(request, turns, "registry", lambda: run_in_threadpool(write))
 
 
-async def _recorded(
-    request: Request, registry: HostedRegistry, author: "Author", action: "Action", function: str, line: str
-) -> Response:
+async def _recorded(writer: Writer, action: "Action", function: str, line: str) -> Response:
     from sigcat.registry.lines import record
-    from sigcat.registry.reference import reference_of
 
     named = reference_of(function)
-    return await changed(request, registry, lambda: record(registry.written_by(author), action, line, named))
+    return await changed(writer, lambda written: record(written, action, line, named))
 
 
-async def changed(request: Request, registry: HostedRegistry, change: Callable[[], str]) -> Response:
+async def changed(writer: Writer, change: "Callable[[Registry], str]") -> Response:
     """Make a change, and answer with the signed head of the log that it returns."""
-    return Response(json_bytes(await in_turn(request, lambda: _with_head(registry, change()))), media_type=JSON)
+    made = await in_turn(writer.request, lambda: _with_head(writer.registry, change(writer.written)))
+    return Response(json_bytes(made), media_type=JSON)
 
 
 def _with_head(registry: HostedRegistry, digest: str) -> registry_schemas.RegistryChange:
@@ -248,14 +196,12 @@ def _with_head(registry: HostedRegistry, digest: str) -> registry_schemas.Regist
         return registry_schemas.RegistryChange(head=head_with(connection, digest))
 
 
-def _publish(
-    registry: HostedRegistry, author: "Author", candidates: "Sequence[Candidate]", *, is_draft: bool
-) -> registry_schemas.RegistryReceipt:
+def _publish(writer: Writer, candidates: "Sequence[Candidate]", *, is_draft: bool) -> registry_schemas.RegistryReceipt:
     from sigcat.api.answers.registry_answers import receipt
     from sigcat.registry.publish import publish
 
-    published = publish(registry.written_by(author), candidates, is_draft=is_draft)
-    with registry.reading() as connection:
+    published = publish(writer.written, candidates, is_draft=is_draft)
+    with writer.registry.reading() as connection:
         return receipt(connection, published)
 
 
@@ -263,7 +209,7 @@ def _publish(
 
 
 def _candidates(
-    text: bytes, name: str, catalogue: Catalogue, version: str, owner: str, limits: Limits
+    text: bytes, name: str, catalogue: Catalogue, limits: Limits, version: str, owner: str
 ) -> "tuple[Candidate, ...]":
     from sigcat.api.requests.registry_files import registry_files
     from sigcat.registry.posted import posted_candidates
@@ -277,7 +223,7 @@ def _status(receipt: registry_schemas.RegistryReceipt) -> HTTPStatus:
     return HTTPStatus.CREATED if any(each.is_new for each in receipt.versions_posted) else HTTPStatus.OK
 
 
-def _report(database: Path | ServerUrl, text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> bytes:
+def _report(text: bytes, name: str, catalogue: Catalogue, limits: Limits, database: Path | ServerUrl) -> bytes:
     from sigcat.api.requests.registry_files import registry_files
     from sigcat.registry.posted import posted_findings
     from sigcat.registry.storing.database import reading

@@ -21,14 +21,11 @@ from sigcat.registry.decisions.acknowledgements import Acknowledgement, Deprecat
 from sigcat.registry.decisions.approvals import Approval, Decided, Pending
 from sigcat.registry.publish import Outcome, Receipt, Status
 from sigcat.registry.published import Published
-from sigcat.registry.reference import Kind, Reference, Rule, State
+from sigcat.registry.reference import GROUP_OF, KIND_OF, Kind, Reference, Rule, State
 from sigcat.registry.storing.entry import Action
 from sigcat.registry.use import Use
 from sigcat.registry.users import User, Users
 
-_GROUPS: Mapping[Kind, str] = {"catalogue": "catalogues", "function": "functions", "overlay": "overlays"}
-"""In the order in which versions are listed."""
-_KINDS: Mapping[str, Kind] = {group: kind for kind, group in _GROUPS.items()}
 _ACTIONS: Mapping[Action, str] = {
     "deployment": "record-deployment", "release": "record-release", "support ended": "support-ended",
 }  # fmt: skip
@@ -69,14 +66,15 @@ class Server(NamedTuple):
     def all_versions(self, kind: Kind | None = None) -> tuple[Listed, ...]:
         """Versions by kind, name and precedence."""
         _refuse_empty(self)
-        groups = tuple(_GROUPS.values()) if kind is None else (_GROUPS[kind],)
+        groups = sorted(GROUP_OF.values()) if kind is None else [GROUP_OF[kind]]
         named = (each for group in groups for each in sorted(_names(self, group), key=lambda each: str(each["name"])))
-        return tuple(_listed(version) for each in named for version in each["versions"])
+        found = [version for each in named for version in each["versions"]]
+        return tuple(Listed(_ending(each, each["lifecycle"]), tuple(each["vehicle_lines"])) for each in found)
 
     @_understood
     def content(self, kind: Kind, reference: Reference, *, is_resolved: bool) -> bytes:
         """The published bytes of a version; resolved, its Function JSON or its nodes."""
-        address = f"/{_GROUPS[kind]}/{quote(reference.name, '')}/versions/{quote(reference.version, '')}"
+        address = f"/{GROUP_OF[kind]}/{quote(reference.name, '')}/versions/{quote(reference.version, '')}"
         if not is_resolved:
             return _answer(self, "GET", address)
         digest = _asked(self, "GET", f"{address}$details")["resolved_digest"]
@@ -102,7 +100,7 @@ class Server(NamedTuple):
     @_understood
     def can_deploy(self, references: Sequence[Reference], line: str) -> Answer:
         """Return whether versions, which ship together, fit everything in the vehicles of a line."""
-        first, *others = (f"{each.name}@{each.version}" for each in references)
+        first, *others = map(_written, references)
         found = _asked(self, "POST", "/can-i-deploy", {"function": first, "line": line, "others": others})
         finding = _finding(found["finding"]) if found["finding"] else None
         deployed, checked = (tuple(map(_reference, found[key])) for key in ("deployed", "checked"))
@@ -140,7 +138,7 @@ class Server(NamedTuple):
     @_understood
     def set_state(self, kind: Kind, reference: Reference, state: State, until: str = "", successor: str = "") -> Change:
         """Deprecate or retire a version."""
-        query = {"reference": _written(reference), "group": _GROUPS[kind]}
+        query = _about(kind, reference)
         if state == "retired":
             return _change(_asked(self, "POST", "/retire", query))
         return _change(_asked(self, "POST", "/deprecate", {**query, "removal": until, "alternative": successor}))
@@ -148,7 +146,7 @@ class Server(NamedTuple):
     @_understood
     def set_rule(self, kind: Kind, name: str, rule: Rule) -> Change:
         """Set the rule of a name."""
-        query = {"published": name, "compatibility_rule": rule, "group": _GROUPS[kind]}
+        query = {"published": name, "compatibility_rule": rule, "group": GROUP_OF[kind]}
         return _change(_asked(self, "POST", "/rule", query))
 
     @_understood
@@ -166,8 +164,7 @@ class Server(NamedTuple):
     @_understood
     def acknowledge(self, kind: Kind, reference: Reference, owner: str) -> Change:
         """Record that an owner knows of a deprecation."""
-        query = {"reference": _written(reference), "group": _GROUPS[kind], "owner": owner}
-        return _change(_asked(self, "POST", "/acknowledge", query))
+        return _change(_asked(self, "POST", "/acknowledge", {**_about(kind, reference), "owner": owner}))
 
     @_understood
     def approve(self, kind: Kind, reference: Reference, owner: str, days: int, content: str) -> tuple[Decided, Change]:
@@ -199,8 +196,7 @@ def _refuse_empty(server: Server) -> None:
 def _decide(
     server: Server, path: str, kind: Kind, reference: Reference, owner: str, decision: _JSON
 ) -> tuple[Decided, Change]:
-    query = {"reference": _written(reference), "group": _GROUPS[kind], "owner": owner}
-    found = _asked(server, "POST", path, {**query, **decision})
+    found = _asked(server, "POST", path, {**_about(kind, reference), "owner": owner, **decision})
     change = _change(found)
     return Decided(tuple(map(_approval, found["approvals"])), change.head), change
 
@@ -294,6 +290,10 @@ def _over(catalogue: str) -> dict[str, str]:
     return {"catalogue": catalogue} if catalogue else {}
 
 
+def _about(kind: Kind, reference: Reference) -> dict[str, str]:
+    return {"reference": _written(reference), "group": GROUP_OF[kind]}
+
+
 def _written(reference: Reference) -> str:
     return f"{reference.name}@{reference.version}"
 
@@ -314,7 +314,7 @@ def _finding(data: _JSON) -> Finding:
 def _outcome(data: _JSON) -> Outcome:
     owners = data.get("owner") or "", data.get("previous_owner") or ""  # an older service has neither
     approvals = tuple(map(_approval, data["approvals"]))
-    return Outcome(_KINDS[data["group"]], _reference(data), _status(data), approvals, *owners)
+    return Outcome(KIND_OF[data["group"]], _reference(data), _status(data), approvals, *owners)
 
 
 def _status(data: _JSON) -> Status:
@@ -324,25 +324,17 @@ def _status(data: _JSON) -> Status:
 
 
 def _pending(data: _JSON) -> Pending:
-    reference = _reference(data)
-    published = Published(
-        0, _KINDS[data["group"]], reference.name, "approval", reference.version, "pending", data["owner"] or "",
-        data["content_digest"], "", "", "", "", "",
-    )  # fmt: skip
-    return Pending(published, tuple(map(_approval, data["approvals"])))
+    published = _published(data, KIND_OF[data["group"]], "pending")
+    approvals = tuple(map(_approval, data["approvals"]))
+    return Pending(published._replace(rule="approval", content=data["content_digest"]), approvals)
 
 
 def _deprecation(data: _JSON) -> Deprecation:
-    reference = _reference(data)
-    published = Published(
-        0, _KINDS[data["group"]], reference.name, "backward", reference.version, "deprecated", data["owner"] or "",
-        "", "", "", "", data["removal"] or "", data["alternative"] or "",
-    )  # fmt: skip
     found = (
         Acknowledgement(each["owner"], each["using_functions"], each["acknowledged"] or "")
         for each in data["acknowledgements"]
     )
-    return Deprecation(published, tuple(found))
+    return Deprecation(_ending(data, "deprecated"), tuple(found))
 
 
 def _approval(data: _JSON) -> Approval:
@@ -354,24 +346,25 @@ def _reference(data: _JSON) -> Reference:
     return Reference(data["name"], data["versionid"])
 
 
-def _listed(data: _JSON) -> Listed:
-    published = _published(data)._replace(
-        kind=_KINDS[data["group"]], until=data["removal"] or "", successor=data["alternative"] or ""
-    )
-    return Listed(published, tuple(data["vehicle_lines"]))
+def _ending(data: _JSON, state: State) -> Published:
+    """A version with the end of its support."""
+    published = _published(data, KIND_OF[data["group"]], state)
+    return published._replace(until=data["removal"] or "", successor=data["alternative"] or "")
 
 
-def _published(data: _JSON) -> Published:
+def _published(data: _JSON, kind: Kind, state: State) -> Published:
     """A version as far as answers have it: what commands print."""
-    name, version, state, owner = data["name"], data["versionid"], data["lifecycle"], data["owner"] or ""
-    return Published(0, "function", name, "backward", version, state, owner, "", "", "", "", "", "")
+    name, version, owner = data["name"], data["versionid"], data["owner"] or ""
+    return Published(0, kind, name, "backward", version, state, owner, "", "", "", "", "", "")
 
 
 def _user(data: _JSON) -> User:
     values = {key: value for key, value in data["use"].items() if key in Use._fields and value is not None}
     values |= {key: "" for key in ("path", "call", "variable", "via") if data["use"][key] is None}
     use = Use(**{**values, "leads_to": tuple(values["leads_to"])})
-    return User(_published(data), use, tuple(data["through"]), tuple(data["vehicle_lines"]))
+    return User(
+        _published(data, "function", data["lifecycle"]), use, tuple(data["through"]), tuple(data["vehicle_lines"])
+    )
 
 
 def _conflict(data: _JSON) -> Conflict:

@@ -4,9 +4,9 @@ import errno
 import json
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -44,6 +44,10 @@ class _Document(BaseModel):
     files: dict[_Name, str]
 
 
+_LISTS = ("overlays", "units", "quantities", "types", "include_dirs")
+"""Fields with paths, of a document as of a source."""
+
+
 class SentCatalogue(NamedTuple):
     """A catalogue that was sent, and its content as the registry stores it."""
 
@@ -65,21 +69,13 @@ def files_of(catalogue: Catalogue) -> Mapping[str, str]:
 def document_of(source: Source, catalogue: Catalogue) -> bytes:
     """The document to send of a catalogue, which was read from a source without errors."""
     folder = Path(catalogue.files[0].name).parent
-
-    def names(paths: Sequence[Path]) -> list[str]:
-        return [_name_of(path, folder) for path in paths]
-
     document = _Document(
         name=catalogue.name,
         release=source.release,
         has_standard_units=source.has_standard_units,
         tree=_name_of(Path(catalogue.files[0].name), folder),
-        overlays=names(source.overlays),
-        units=names(source.units),
-        quantities=names(source.quantities),
-        types=names(source.types),
-        include_dirs=names(source.include_dirs),
         files=dict(files_of(catalogue)),
+        **{kind: [_name_of(path, folder) for path in getattr(source, kind)] for kind in _LISTS},
     )
     return document.model_dump_json().encode()
 
@@ -116,7 +112,7 @@ def _read(data: bytes, name: str) -> _Document:
         place = ".".join(map(str, first["loc"])) or "the document"
         message = f"{place} of a catalogue is invalid: {first['msg']}."
         raise _refused(message, name) from None
-    listed = (document.overlays, document.units, document.quantities, document.types)
+    listed = (getattr(document, kind) for kind in _LISTS if kind != "include_dirs")
     for each in (document.tree, *(one for names in listed for one in names)):
         if each not in document.files:
             raise _refused(f"`files` must have {each!r}, which the catalogue names.", name)
@@ -165,23 +161,14 @@ def _path(folder: Path, name: str) -> Path:
 
 def _source(document: _Document, folder: Path) -> Source:
     """The source of the catalogue whose files are below a folder."""
-    overlays, units, quantities, types, include_dirs = (
-        tuple(_path(folder, each) for each in names)
-        for names in (
-            document.overlays, document.units, document.quantities, document.types, document.include_dirs,
-        )
-    )  # fmt: skip
+    lists: dict[str, Any] = {kind: tuple(_path(folder, each) for each in getattr(document, kind)) for kind in _LISTS}
     return Source(
         document.name,
         document.name,
         _path(folder, document.tree),
-        overlays=overlays,
-        units=units,
-        quantities=quantities,
-        types=types,
-        include_dirs=include_dirs,
         release=document.release,
         has_standard_units=document.has_standard_units,
+        **lists,
     )
 
 

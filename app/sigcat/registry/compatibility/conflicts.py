@@ -8,6 +8,7 @@ from sigcat import codes
 from sigcat.catalogue.comparing.compatibility import ROWS
 from sigcat.findings import Finding, Severity
 from sigcat.function.sets.check_set import check_set
+from sigcat.integration.grouping import grouped
 from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.compatibility.member import NOWHERE, Member
 from sigcat.registry.compatibility.role import RULES, for_role, verb_of
@@ -125,9 +126,7 @@ _MOST_VEHICLES = 1_000
 def _in_circles(deployed: Sequence[Member], others: Sequence[Member], known: Sequence[Conflict]) -> Iterator[Conflict]:
     """Yield circles of calls or errors through several functions. A vehicle has one version of each function."""
     seen = {(each.rule, each.message) for each in known}
-    versions: dict[str, list[Member]] = {}
-    for member in _on_ways_back(deployed, others):
-        versions.setdefault(member.name, []).append(member)
+    versions = grouped(_on_ways_back(deployed, others), lambda member: member.name)
     if len(versions) < 2:
         return
     for vehicle in islice(product(*versions.values()), _MOST_VEHICLES):
@@ -189,14 +188,11 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
     providers = _providers((*deployed, *others))
     for consumer in (*deployed, *others):
         now = [each for each in replaced if consumer in deployed and each.name == consumer.name]
-        for path in consumer.needed:
+        needed = consumer.needed
+        for path in (*needed, *consumer.optional):
             before = [each for each in replaced if each.provides(path)]
             is_new = consumer in deployed and (not now or any(path not in each.needed for each in now))
-            if (is_new or before) and not _is_provided(path, consumer, providers):
-                yield _lost_provider(path, consumer, before, deployed)
-        for path in consumer.optional:
-            before = [each for each in replaced if each.provides(path)]
-            if before and not _is_provided(path, consumer, providers):
+            if (before or (is_new and path in needed)) and not _is_provided(path, consumer, providers):
                 yield _lost_provider(path, consumer, before, deployed)
 
 

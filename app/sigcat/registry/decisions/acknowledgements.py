@@ -6,12 +6,11 @@ from typing import NamedTuple
 
 from sqlalchemy import Connection, select
 
-from sigcat import codes
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
-from sigcat.registry.decisions.approvals import check_author
+from sigcat.registry.decisions.approvals import check_author, unfit
 from sigcat.registry.published import Published, all_versions, version_named
-from sigcat.registry.reference import Kind, Reference, refused
+from sigcat.registry.reference import Kind, Reference
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Registry, ledger_of
 from sigcat.registry.storing.tables import ACKNOWLEDGEMENTS
@@ -79,15 +78,12 @@ def acknowledge(registry: Registry, kind: Kind, reference: Reference, owner: str
     with ledger_of(registry) as ledger:
         version = version_named(ledger.connection, kind, reference)
         if version.state != "deprecated":
-            message = f"{reference} must be deprecated to be acknowledged; it is {version.state}."
-            raise refused(codes.DECISION_UNFIT.finding(message, path=version.name))
+            raise unfit(reference, f"{reference} must be deprecated to be acknowledged; it is {version.state}.")
         known = {each.owner: each for each in acknowledgements_of(ledger.connection, version)}
         if owner not in known:
             whose = f" ({', '.join(known)})" if known else ": there is none"
             message = f"The owner must be one whose functions use {reference}{whose}, not {shown(owner)}."
-            raise refused(codes.DECISION_UNFIT.finding(message, path=version.name, fix=did_you_mean(owner, known)))
+            raise unfit(reference, message, did_you_mean(owner, known))
         if not known[owner].at:
-            data = {"kind": kind, "name": reference.name, "version": reference.version, "owner": owner}
-            ledger.append("acknowledge", data)
-        last = ledger.head
-        return last.hash if last else ""
+            ledger.append("acknowledge", {"kind": kind, **reference._asdict(), "owner": owner})
+        return ledger.head_hash

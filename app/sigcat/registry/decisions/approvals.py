@@ -7,6 +7,7 @@ from typing import NamedTuple
 from sqlalchemy import Connection, select
 
 from sigcat import codes
+from sigcat.errors import InputRefused
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
 from sigcat.registry.published import Published, all_versions, version_named
@@ -91,8 +92,7 @@ def approve(
 ) -> Decided:
     """Approve the content of a pending version for an owner. Raises InputRefused."""
     if not 0 < days <= _MOST_DAYS:
-        message = f"An approval must be valid for 1 to {_MOST_DAYS} days, not {days}."
-        raise refused(codes.DECISION_UNFIT.finding(message, path=reference.name))
+        raise unfit(reference, f"An approval must be valid for 1 to {_MOST_DAYS} days, not {days}.")
     until = time_text(dt.datetime.now(dt.UTC) + dt.timedelta(days=days))
     return _decide(registry, "approve", kind, reference, owner, content, {"until": until})
 
@@ -100,8 +100,7 @@ def approve(
 def reject(registry: Registry, kind: Kind, reference: Reference, owner: str, reason: str, content: str = "") -> Decided:
     """Reject the content of a pending version for an owner. Raises InputRefused."""
     if not reason.strip() or len(reason) > _LONGEST_REASON:
-        message = f"A rejection must have a reason of 1 to {_LONGEST_REASON} characters."
-        raise refused(codes.DECISION_UNFIT.finding(message, path=reference.name))
+        raise unfit(reference, f"A rejection must have a reason of 1 to {_LONGEST_REASON} characters.")
     return _decide(registry, "reject", kind, reference, owner, content, {"reason": reason.strip()})
 
 
@@ -121,8 +120,7 @@ def _decide(
         _check_owner(reference, owner, approvals_of(ledger.connection, version))
         data = {"kind": kind, "name": reference.name, "version": reference.version, "owner": owner}
         ledger.append(action, {**data, "content": version.content, "uses": version.uses, **decision})
-        last = ledger.head
-        return Decided(approvals_of(ledger.connection, version), last.hash if last else "")
+        return Decided(approvals_of(ledger.connection, version), ledger.head_hash)
 
 
 def check_author(registry: Registry, reference: Reference, owner: str) -> None:
@@ -136,17 +134,21 @@ def check_author(registry: Registry, reference: Reference, owner: str) -> None:
 def _check_pending(version: Published, content: str) -> None:
     if version.state != "pending":
         message = f"{version.reference} must be pending to be approved or rejected; it is {version.state}."
-        raise refused(codes.DECISION_UNFIT.finding(message, path=version.name))
+        raise unfit(version.reference, message)
     if content and content != version.content:
         message = (
             f"The content of {version.reference} must have the SHA-256 {shown(content)}; it has {version.content}."
         )
-        fix = "Read the new content: `sigcat registry show`."
-        raise refused(codes.DECISION_UNFIT.finding(message, path=version.name, fix=fix))
+        raise unfit(version.reference, message, "Read the new content: `sigcat registry show`.")
 
 
 def _check_owner(reference: Reference, owner: str, approvals: Sequence[Approval]) -> None:
     owners = [each.owner for each in approvals]
     if owner not in owners:
         message = f"The owner must be one whose functions {reference} breaks ({', '.join(owners)}), not {shown(owner)}."
-        raise refused(codes.DECISION_UNFIT.finding(message, path=reference.name, fix=did_you_mean(owner, owners)))
+        raise unfit(reference, message, did_you_mean(owner, owners))
+
+
+def unfit(reference: Reference, message: str, fix: str = "") -> InputRefused:
+    """The refusal of a decision about a version."""
+    return refused(codes.DECISION_UNFIT.finding(message, path=reference.name, fix=fix))

@@ -41,6 +41,11 @@ class Ledger:
         """The last entry of the log."""
         return head(self.connection)
 
+    @property
+    def head_hash(self) -> str:
+        """The hash of the last entry; empty without one."""
+        return self.head.hash if self.head else ""
+
     def put(self, *contents: bytes) -> tuple[str, ...]:
         """Store contents, and return their digests."""
         digests = tuple(map(digest_of, contents))
@@ -84,6 +89,12 @@ def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
     row = connection.execute(_HEAD).first()
     return Link(*row) if row is not None else None
+
+
+def last_number(connection: Connection) -> int:
+    """Number of the last entry of the log; 0 without one."""
+    last = head(connection)
+    return last.number if last else 0
 
 
 def link_with(connection: Connection, digest: str) -> Link | None:

@@ -9,17 +9,14 @@ from sqlalchemy import Column, Connection, MetaData, String, Table, delete, inse
 from sigcat.digest import digest_of
 from sigcat.limits import SESSION_SECONDS
 from sigcat.registry.storing.entry import now, time_text
+from sigcat.registry.storing.tables import texts
 from sigcat.registry.storing.tokens import Token, all_tokens
 
 SESSIONS = Table(
     "sessions", MetaData(),
     Column("digest", String, primary_key=True),
-    Column("token", String, nullable=False),  # digest of the token that began it; empty for a person without one
-    Column("name", String, nullable=False),
-    Column("scopes", String, nullable=False),
-    Column("owner", String, nullable=False),
-    Column("begun", String, nullable=False),
-    Column("ends", String, nullable=False),
+    # `token` is the digest of the token that began it; empty for a person without one
+    *texts("token", "name", "scopes", "owner", "begun", "ends", kind=String()),
 )  # fmt: skip
 """It does not follow from the log, so it is made when the first session is."""
 
@@ -41,15 +38,8 @@ def begin_session(connection: Connection, token: Token) -> str:
     connection.execute(delete(SESSIONS).where(SESSIONS.c.ends <= now()))
     secret = secrets.token_urlsafe(32)
     ends = time_text(dt.datetime.now(dt.UTC) + dt.timedelta(seconds=SESSION_SECONDS))
-    row = {
-        "token": token.digest,
-        "name": token.name,
-        "scopes": token.scopes,
-        "owner": token.owner,
-        "begun": now(),
-        "ends": ends,
-    }
-    connection.execute(insert(SESSIONS).values(digest=_digest(secret), **row))
+    person = {"token": token.digest, "name": token.name, "scopes": token.scopes, "owner": token.owner}
+    connection.execute(insert(SESSIONS).values(digest=_digest(secret), **person, begun=now(), ends=ends))
     return secret
 
 

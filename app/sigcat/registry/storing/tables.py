@@ -5,6 +5,8 @@ revision in `revisions/`. A row of a table that follows from the log has the nex
 same rows again.
 """
 
+from collections.abc import Iterator
+
 from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, UniqueConstraint
 
 SCHEMA = 3
@@ -15,6 +17,12 @@ APPLICATION = 0x51676361
 _TEXT = String().with_variant(String(collation="C"), "postgresql")
 """Text in the order of its bytes, whatever the language of a server."""
 
+
+def texts(*names: str, kind: String = _TEXT) -> Iterator["Column[str]"]:
+    """Columns of texts that may be empty, and never absent."""
+    return (Column(name, kind, nullable=False) for name in names)
+
+
 METADATA = MetaData()
 CONTENTS = Table(
     "contents", METADATA,
@@ -24,10 +32,7 @@ CONTENTS = Table(
 NAMES = Table(
     "names", METADATA,
     Column("id", Integer, primary_key=True, autoincrement=False),
-    Column("kind", _TEXT, nullable=False),
-    Column("name", _TEXT, nullable=False),
-    Column("folded", _TEXT, nullable=False),
-    Column("rule", _TEXT, nullable=False),
+    *texts("kind", "name", "folded", "rule"),
     Column("newest", Integer),  # id of the newest version that may be deployed
     UniqueConstraint("kind", "folded"),
 )  # fmt: skip
@@ -35,33 +40,25 @@ VERSIONS = Table(
     "versions", METADATA,
     Column("id", Integer, primary_key=True, autoincrement=False),
     Column("name_id", ForeignKey("names.id"), nullable=False),
-    Column("version", _TEXT, nullable=False),
-    Column("release", _TEXT, nullable=False),
-    Column("precedence", _TEXT, nullable=False),  # the order of versions as that of texts
-    Column("state", _TEXT, nullable=False),
-    Column("owner", _TEXT, nullable=False),
+    *texts("version", "release", "precedence", "state", "owner"),  # the precedence has the order of versions
     Column("content", ForeignKey("contents.digest"), nullable=False),
     Column("resolved", ForeignKey("contents.digest"), nullable=False),
     Column("uses", ForeignKey("contents.digest"), nullable=False),
-    Column("at", _TEXT, nullable=False),
-    Column("until", _TEXT, nullable=False),
-    Column("successor", _TEXT, nullable=False),
+    *texts("at", "until", "successor"),
     UniqueConstraint("name_id", "release"),
     Index("versions_precedence", "name_id", "precedence"),
 )  # fmt: skip
 RELIANCES = Table(  # nodes with the attributes that functions rely on, each once however many functions do
     "reliances", METADATA,
     Column("id", Integer, primary_key=True, autoincrement=False),
-    Column("path", _TEXT, nullable=False),
-    Column("relied", _TEXT, nullable=False),
+    *texts("path", "relied"),
     Index("reliances_path", "path"),
 )  # fmt: skip
 USES = Table(
     "uses", METADATA,
     Column("version_id", ForeignKey("versions.id"), primary_key=True),
     Column("number", Integer, primary_key=True, autoincrement=False),
-    Column("path", _TEXT, nullable=False),
-    Column("element", _TEXT, nullable=False),
+    *texts("path", "element"),
     Column("reliance_id", ForeignKey("reliances.id")),
     Column("text", _TEXT, nullable=False),
     Index("uses_path", "path"),
@@ -72,8 +69,7 @@ DEPLOYMENTS = Table(
     Column("id", Integer, primary_key=True, autoincrement=False),
     Column("line_id", ForeignKey("names.id"), nullable=False),
     Column("version_id", ForeignKey("versions.id"), nullable=False),
-    Column("since", _TEXT, nullable=False),
-    Column("until", _TEXT, nullable=False),
+    *texts("since", "until"),
     Index("deployments_line", "line_id"),
     Index("deployments_version", "version_id"),
 )  # fmt: skip
@@ -83,11 +79,7 @@ APPROVALS = Table(
     Column("content", _TEXT, primary_key=True),
     Column("uses", _TEXT, primary_key=True),
     Column("owner", _TEXT, primary_key=True),
-    Column("functions", _TEXT, nullable=False),
-    Column("decision", _TEXT, nullable=False),
-    Column("at", _TEXT, nullable=False),
-    Column("until", _TEXT, nullable=False),
-    Column("reason", _TEXT, nullable=False),
+    *texts("functions", "decision", "at", "until", "reason"),
 )  # fmt: skip
 ACKNOWLEDGEMENTS = Table(  # of deprecations
     "acknowledgements", METADATA,
@@ -98,10 +90,7 @@ ACKNOWLEDGEMENTS = Table(  # of deprecations
 SUBSCRIPTIONS = Table(
     "subscriptions", METADATA,
     Column("id", _TEXT, primary_key=True),
-    Column("url", _TEXT, nullable=False),
-    Column("types", _TEXT, nullable=False),
-    Column("secret", _TEXT, nullable=False),
-    Column("at", _TEXT, nullable=False),
+    *texts("url", "types", "secret", "at"),
     Column("number", Integer, nullable=False),
 )  # fmt: skip
 DELIVERIES = Table(
@@ -111,20 +100,14 @@ DELIVERIES = Table(
     Column("number", ForeignKey("log.number"), nullable=False),
     Column("state", _TEXT, nullable=False),
     Column("attempts", Integer, nullable=False),
-    Column("due", _TEXT, nullable=False),
-    Column("lease", _TEXT, nullable=False),
-    Column("at", _TEXT, nullable=False),
-    Column("answer", _TEXT, nullable=False),
+    *texts("due", "lease", "at", "answer"),
     Index("deliveries_due", "state", "due"),
     Index("deliveries_subscription", "subscription_id"),
 )  # fmt: skip
 LOG = Table(
     "log", METADATA,
     Column("number", Integer, primary_key=True, autoincrement=False),
-    Column("text", _TEXT, nullable=False),
-    Column("previous", _TEXT, nullable=False),
-    Column("hash", _TEXT, nullable=False),
-    Column("signature", _TEXT, nullable=False),
+    *texts("text", "previous", "hash", "signature"),
 )  # fmt: skip
 REVISION = Table(  # of Alembic
     "alembic_version", METADATA,

@@ -16,6 +16,7 @@ from sigcat.errors import UsageError
 from sigcat.names import did_you_mean, either
 from sigcat.registry.reference import date_fault
 from sigcat.registry.storing.entry import is_past
+from sigcat.registry.storing.tables import texts
 
 Scope = Literal["read", "publish", "approve", "administer"]
 SCOPES: tuple[Scope, ...] = get_args(Scope)
@@ -25,11 +26,7 @@ TOKENS = Table(
     "tokens", MetaData(),
     Column("name", String, primary_key=True),
     Column("digest", String, nullable=False, unique=True),
-    Column("scopes", String, nullable=False),
-    Column("owner", String, nullable=False),
-    Column("created", String, nullable=False),
-    Column("expires", String, nullable=False),
-    Column("revoked", String, nullable=False),
+    *texts("scopes", "owner", "created", "expires", "revoked", kind=String()),
 )  # fmt: skip
 """It does not follow from the log, so it is made when the first token is."""
 

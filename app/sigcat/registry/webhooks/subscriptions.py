@@ -2,7 +2,7 @@
 
 import json
 import secrets
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sqlalchemy import Connection, delete, insert, select
@@ -14,7 +14,7 @@ from sigcat.registry.events import TYPES
 from sigcat.registry.reference import refused, unknown
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.entry import now
-from sigcat.registry.storing.ledger import Registry, head
+from sigcat.registry.storing.ledger import Registry, last_number
 from sigcat.registry.storing.tables import DELIVERIES, SUBSCRIPTIONS
 from sigcat.registry.webhooks.addresses import Forbidden, Policy, checked_url
 from sigcat.registry.webhooks.signing import new_secret
@@ -44,8 +44,7 @@ def subscribe(registry: Registry, url: str, types: Sequence[str], policy: Policy
         raise refused(codes.WEBHOOK_UNFIT.finding(message, fix=error.fix)) from None
     chosen = tuple(dict.fromkeys(map(_type_of, types)))
     with writing(registry.database) as connection:
-        last = head(connection)
-        number = last.number if last else 0
+        number = last_number(connection)
         made = Subscription(f"sub_{secrets.token_hex(8)}", url, chosen, new_secret(), now(), number)
         connection.execute(insert(SUBSCRIPTIONS).values({**made._asdict(), "types": json.dumps(made.types)}))
     return made
@@ -64,15 +63,11 @@ def _type_of(name: str) -> str:
 def unsubscribe(registry: Registry, subscription: str) -> None:
     """Remove a subscription with its deliveries. Raises InputRefused."""
     with writing(registry.database) as connection:
-        _check_known(subscription, (each.id for each in subscriptions(connection)))
+        known = [each.id for each in subscriptions(connection)]
+        if subscription not in known:
+            raise unknown("subscription", subscription, known)
         connection.execute(delete(DELIVERIES).where(DELIVERIES.c.subscription_id == subscription))
         connection.execute(delete(SUBSCRIPTIONS).where(SUBSCRIPTIONS.c.id == subscription))
-
-
-def _check_known(subscription: str, known: Iterable[str]) -> None:
-    listed = tuple(known)
-    if subscription not in listed:
-        raise unknown("subscription", subscription, listed)
 
 
 def subscriptions(connection: Connection) -> tuple[Subscription, ...]:

@@ -15,7 +15,7 @@ from sigcat.limits import BASKET_CHARACTERS
 from sigcat.names import nearest
 from sigcat.web.addresses import Addresses
 from sigcat.web.basket import read_basket
-from sigcat.web.rendering import page_for
+from sigcat.web.rendering import page_for, text_file
 from sigcat.web.views.chosen_signals import (
     ChosenSignals,
     chosen_signals,
@@ -79,5 +79,4 @@ def _page(visit: Visit, hosted: Hosted) -> Response:
 def _download(visit: Visit, hosted: Hosted, file: str) -> Response:
     made = DOWNLOADS[file]
     text = made.text(hosted.catalogue, chosen_signals(hosted.catalogue, visit.basket.paths))
-    headers = {"Content-Disposition": f'attachment; filename="{file}"', "Cache-Control": "no-cache"}
-    return Response(text.encode("utf-8", "replace"), media_type=f"{made.media_type}; charset=utf-8", headers=headers)
+    return text_file(text, file, made.media_type)

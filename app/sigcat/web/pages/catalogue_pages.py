@@ -38,10 +38,11 @@ from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.function.node_uses import uses_in
+from sigcat.integration.grouping import grouped
 from sigcat.limits import PAGE_FINDINGS, PICTURED_NODES
 from sigcat.web.addresses import Addresses
 from sigcat.web.documentation import search as search_documentation
-from sigcat.web.pictures.sunburst import Sunburst, sunburst
+from sigcat.web.pictures.sunburst import sunburst
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 from sigcat.web.views.node_view import field_units_of, node_view
@@ -152,9 +153,8 @@ def show_search(
 @router.get("/units/{catalogue}")
 def show_units(request: Request, hosted: AnyCatalogue) -> Response:
     """Units by quantity."""
-    by_quantity: dict[str, list[object]] = {}
-    for unit in sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity):
-        by_quantity.setdefault(unit.quantity, []).append(unit)
+    units = sorted(hosted.catalogue.vocabulary.distinct_units, key=lambda unit: unit.quantity)
+    by_quantity = grouped(units, lambda unit: unit.quantity)
     return page(request, "units.html", hosted=hosted, by_quantity=by_quantity)
 
 
@@ -170,7 +170,7 @@ def show_catalogue(
         "catalogue.html",
         hosted=hosted,
         detail=catalogue_detail(hosted),
-        sunburst=_picture(hosted),
+        sunburst=sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= PICTURED_NODES else None,
         findings=findings[:PAGE_FINDINGS],
         total=len(findings),
     )
@@ -232,11 +232,6 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
 def _state(hosted: Hosted, functions: FunctionLibrary) -> str:
     """Owner of the rows of a tree: the catalogue, and the functions that use it."""
     return f"{version_of(hosted)}-{functions.digest[:8]}"
-
-
-def _picture(hosted: Hosted) -> Sunburst | None:
-    """The sunburst; beyond what a page can hold there is none."""
-    return sunburst(hosted.catalogue) if len(hosted.catalogue.nodes) <= PICTURED_NODES else None
 
 
 def _facets(

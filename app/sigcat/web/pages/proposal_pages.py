@@ -3,34 +3,23 @@
 from http import HTTPStatus
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from fastapi.responses import RedirectResponse, Response
 
-from sigcat.api.requests.dependencies import (
-    NamedCatalogue,
-    PostedBody,
-    TheFunctions,
-    TheRules,
-    TheWorkQueue,
-    settings_of,
-)
+from sigcat.api.requests.dependencies import TheWorkQueue
 from sigcat.api.routes.catalogues import find_node
-from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
-from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import UsageError
-from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.node_uses import uses_in
-from sigcat.limits import PARAMETER_CHARACTERS, Limits
+from sigcat.limits import PARAMETER_CHARACTERS
 from sigcat.web.addresses import Addresses
-from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
-from sigcat.web.pages.checked_text import Asked, text_values
-from sigcat.web.rendering import page_for
+from sigcat.web.forms import Form
+from sigcat.web.pages.checked_text import Asked, Posted, TheAsked, ThePosted, text_values
+from sigcat.web.rendering import page_for, text_file
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.proposing.overlay_outcome import overlay_outcome
 from sigcat.web.views.proposing.proposal import Proposal, adding, changing, posted_fields, types_for
 from sigcat.web.views.proposing.proposal_patch import proposal_patch
-from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 Mode = Literal["form", "text"]
@@ -41,36 +30,27 @@ _NO_EFFECT = "overlay-no-effect"
 
 @router.get("/propose")
 async def show_proposal(
-    request: Request,
-    hosted: NamedCatalogue,
-    rules: TheRules,
-    functions: TheFunctions,
+    asked: TheAsked,
     queue: TheWorkQueue,
     change: Path = "",
     below: Path = "",
     mode: Annotated[Mode, Query(alias="as")] = "form",
 ) -> Response:
     """The page for a node to change, or to add one below or beside; without a node, the page to try any overlay."""
-    visit = visit_of(request)
     if not (change or below):
-        to = Addresses(visit.below)
-        return RedirectResponse(to.page("try") + to.query({"catalogue": hosted.source.id}), HTTPStatus.SEE_OTHER)
-    asked = Asked(visit, hosted, rules, functions.files, settings_of(request).limits)
+        to = Addresses(asked.visit.below)
+        return RedirectResponse(to.page("try") + to.query({"catalogue": asked.hosted.source.id}), HTTPStatus.SEE_OTHER)
     return await queue.run(_begun, asked, Form((("change", change), ("below", below), ("as", mode))))
 
 
 @router.post("/propose")
-async def propose(
-    request: Request, rules: TheRules, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody
-) -> Response:
+async def propose(queue: TheWorkQueue, posted: ThePosted) -> Response:
     """The page with the findings and effects of what was entered, or a file of it. Nothing is stored."""
-    posted = posted_form(body, request.headers.get("content-type", ""))
-    return await queue.run(_posted, visit_of(request), posted, rules, functions.files, settings_of(request).limits)
+    return await queue.run(_posted, posted)
 
 
-def _posted(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
-    form = read_form(posted)
-    return _begun(Asked(visit, form_catalogue(form, visit.library), rules, files, limits), form)
+def _posted(posted: Posted) -> Response:
+    return _begun(*posted.read())
 
 
 def _begun(asked: Asked, form: Form) -> Response:
@@ -80,12 +60,12 @@ def _begun(asked: Asked, form: Form) -> Response:
     data = text.encode("utf-8", "replace")
     match form.last("download"):
         case "overlay":
-            return _file(f"# Proposed change of {asked.hosted.source.title}\n{text}", "overlay.vspec", "text/plain")
+            return text_file(f"# Proposed change of {asked.hosted.source.title}\n{text}", "overlay.vspec", "text/plain")
         case "patch":
             patch = proposal_patch(asked.hosted.catalogue, data, asked.limits)
             if not patch:
                 raise UsageError("Nothing is changed yet: a patch would be empty.")
-            return _file(patch, "proposal.patch", "text/x-patch")
+            return text_file(patch, "proposal.patch", "text/x-patch")
     return _page(asked, form, proposal, text, "text" if is_text else "form")
 
 
@@ -110,7 +90,7 @@ def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -
     without_effect = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
     found = asked.rules.findings_in_text(data, "posted.vspec", hosted.catalogue, asked.limits)
     findings = tuple(each for each in found if each.rule not in without_effect)
-    outcome = overlay_outcome(data, expanded_of(hosted.catalogue), asked.files, asked.limits)
+    outcome = overlay_outcome(data, asked.catalogue, asked.files, asked.limits)
     return page_for(
         asked.visit,
         "propose.html",
@@ -126,8 +106,3 @@ def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -
         function=None,
         commands=overlay_commands(hosted),
     )
-
-
-def _file(text: str, name: str, media_type: str) -> Response:
-    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
-    return Response(text.encode("utf-8", "replace"), media_type=f"{media_type}; charset=utf-8", headers=headers)

@@ -20,6 +20,7 @@ from sigcat.catalogue.hosting.library import Library
 from sigcat.errors import SigcatError, UsageError
 from sigcat.limits import REGISTRY_REQUEST_SECONDS, Limits
 from sigcat.names import either
+from sigcat.registry.reference import KIND_OF, Kind, Reference, reference_of
 from sigcat.web.forms import EMPTY, Form, form_catalogue
 from sigcat.web.pages.registry_pages import Again, name_page, registry_page
 from sigcat.web.registry_visits import OwnSite, RegistryVisit, SignedForm, SignedIn, field
@@ -27,7 +28,6 @@ from sigcat.web.rendering import page_for
 
 if TYPE_CHECKING:
     from sigcat.registry.candidates.candidate import Candidate
-    from sigcat.registry.reference import Kind, Reference
 
 router = APIRouter(route_class=InThread)
 
@@ -165,13 +165,10 @@ def _redeliver(registry: HostedRegistry, delivery: str) -> None:
         redeliver(connection, delivery, dt.datetime.now(dt.UTC))
 
 
-def _version(form: Form) -> "tuple[Kind, Reference]":
-    from sigcat.registry.reference import reference_of
-    from sigcat.web.views.registry_view import GROUPS
-
-    kind = GROUPS.get(field(form, "group"))
+def _version(form: Form) -> tuple[Kind, Reference]:
+    kind = KIND_OF.get(field(form, "group"))
     if kind is None:
-        raise UsageError(f"The group must be {either(GROUPS)}, not {field(form, 'group')[:80]!r}.")
+        raise UsageError(f"The group must be {either(KIND_OF)}, not {field(form, 'group')[:80]!r}.")
     return kind, reference_of(field(form, "reference"))
 
 

@@ -2,30 +2,21 @@
 
 from collections.abc import Collection, Iterable, Sequence
 from functools import partial
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from fastapi.responses import JSONResponse, Response
 
 from sigcat.api.answers.serializers import finding_counts
-from sigcat.api.requests.dependencies import (
-    NamedCatalogue,
-    PostedBody,
-    TheFunctions,
-    TheWorkQueue,
-    settings_of,
-)
-from sigcat.catalogue.hosting.library import Hosted
-from sigcat.catalogue.hosting.variants import expanded_of
-from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.api.requests.dependencies import TheWorkQueue
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.hosted_comparisons import HostedComparisons
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import functions_over
-from sigcat.limits import PAGE_FINDINGS, PAGE_FUNCTIONS, Limits
-from sigcat.web.forms import PostedFile, PostedForm, form_catalogue, posted_form, read_form
+from sigcat.limits import PAGE_FINDINGS, PAGE_FUNCTIONS
+from sigcat.web.forms import PostedFile
+from sigcat.web.pages.checked_text import Asked, Posted, TheAsked, ThePosted
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
 from sigcat.web.rendering import page_for
@@ -43,7 +34,6 @@ from sigcat.web.views.function_sets import (
 )
 from sigcat.web.views.generated_documents import GeneratedDocument, integrations_of
 from sigcat.web.views.source_view import SourceView, is_shown_whole, shown_text, source_view
-from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 _TITLES = {"files": "Files", **{name: tab.title for name, tab in SET_TABS.items()}}
@@ -51,66 +41,34 @@ _TITLES = {"files": "Files", **{name: tab.title for name, tab in SET_TABS.items(
 Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
 
 
-class Asked(NamedTuple):
-    """Inputs of the page beside the functions."""
-
-    visit: Visit
-    hosted: Hosted
-    files: HostedFiles
-    limits: Limits
-    comparisons: HostedComparisons
-
-    @property
-    def catalogue(self) -> Catalogue:
-        """The catalogue with every instance: functions name those."""
-        return expanded_of(self.hosted.catalogue)
-
-
 @router.get("/wiring")
 async def show_wiring(
-    request: Request,
-    hosted: NamedCatalogue,
-    hosted_functions: TheFunctions,
+    asked: TheAsked,
     queue: TheWorkQueue,
     functions: Chosen = None,
     write: Annotated[bool, Query(description="Whether to begin with the user's own functions.")] = False,
     view: str = "files",
 ) -> Response:
     """A set of functions: providers and consumers, signals from outside, and when each call runs."""
-    asked = Asked(
-        visit_of(request), hosted, hosted_functions.files, settings_of(request).limits, hosted_functions.comparisons
-    )
     return await queue.run(_shown, asked, _chosen(functions, asked.files), view, is_writing=write)
 
 
 @router.post("/wiring")
-async def connect_posted(request: Request, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody) -> Response:
+async def connect_posted(queue: TheWorkQueue, posted: ThePosted) -> Response:
     """The same page for posted functions, together with the hosted ones that are named. They are not stored."""
-    posted = posted_form(body, request.headers.get("content-type", ""))
-    limits = settings_of(request).limits
-    return await queue.run(_posted, visit_of(request), posted, functions.files, limits, functions.comparisons)
+    return await queue.run(_posted, posted)
 
 
 @router.get("/wiring/files/{document_id}")
-async def download_of_set(
-    hosted: NamedCatalogue,
-    hosted_functions: TheFunctions,
-    queue: TheWorkQueue,
-    document_id: str,
-    functions: Chosen = None,
-) -> Response:
+async def download_of_set(asked: TheAsked, queue: TheWorkQueue, document_id: str, functions: Chosen = None) -> Response:
     """A document that is made from a set of functions, as a file."""
-    files = hosted_functions.files
-    return await queue.run(_hosted_document, files, _chosen(functions, files), hosted.catalogue, document_id)
+    return await queue.run(_hosted_document, asked, _chosen(functions, asked.files), document_id)
 
 
 @router.get("/wiring.json")
-async def get_wiring(
-    hosted: NamedCatalogue, hosted_functions: TheFunctions, queue: TheWorkQueue, functions: Chosen = None
-) -> Response:
+async def get_wiring(asked: TheAsked, queue: TheWorkQueue, functions: Chosen = None) -> Response:
     """The wiring of a set of functions as data."""
-    files = hosted_functions.files
-    return JSONResponse(await queue.run(_wiring_data, files, _chosen(functions, files), hosted.catalogue))
+    return JSONResponse(await queue.run(_wiring_data, asked, _chosen(functions, asked.files)))
 
 
 def _shown(asked: Asked, chosen: Sequence[str], view: str, *, is_writing: bool) -> Response:
@@ -118,11 +76,8 @@ def _shown(asked: Asked, chosen: Sequence[str], view: str, *, is_writing: bool) 
     return _page(asked, chosen, together, view=view, is_writing=is_writing)
 
 
-def _posted(
-    visit: Visit, posted: PostedForm, known: HostedFiles, limits: Limits, comparisons: HostedComparisons
-) -> Response:
-    form = read_form(posted)
-    asked = Asked(visit, form_catalogue(form, visit.library), known, limits, comparisons)
+def _posted(posted: Posted) -> Response:
+    asked, form = posted.read()
     chosen = tuple(dict.fromkeys(form.every("f")))
     own = distinct((*form.files, *documents_in(form.text("text"))))
     files = (*chosen_files(asked.files, chosen), *own)
@@ -133,12 +88,8 @@ def _posted(
     return _page(asked, chosen, together, own, view=form.last("view", "files"))
 
 
-def _hosted_document(files: HostedFiles, chosen: Sequence[str], catalogue: Catalogue, document_id: str) -> Response:
-    return _download(hosted_set(files, chosen, expanded_of(catalogue)).whole, document_id)
-
-
-def _wiring_data(files: HostedFiles, chosen: Sequence[str], catalogue: Catalogue) -> dict[str, object]:
-    return _as_data(hosted_set(files, chosen, expanded_of(catalogue)))
+def _hosted_document(asked: Asked, chosen: tuple[str, ...], document_id: str) -> Response:
+    return _download(hosted_set(asked.files, chosen, asked.catalogue).whole, document_id)
 
 
 def _page(
@@ -229,8 +180,8 @@ def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Respon
     return download(document_id, "FunctionSet", partial(_documents, functions), SET_TABS)
 
 
-def _as_data(together: FunctionSet) -> dict[str, object]:
-    wiring = together.wiring
+def _wiring_data(asked: Asked, chosen: tuple[str, ...]) -> dict[str, object]:
+    wiring = hosted_set(asked.files, chosen, asked.catalogue).wiring
     return {
         "functions": list(wiring.functions),
         "links": [

@@ -3,17 +3,10 @@
 from functools import partial
 from typing import Annotated, Literal, NamedTuple
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
-from sigcat.api.requests.dependencies import (
-    NamedCatalogue,
-    PostedBody,
-    TheFunctions,
-    TheRules,
-    TheWorkQueue,
-    settings_of,
-)
+from sigcat.api.requests.dependencies import TheWorkQueue
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -27,8 +20,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_files import FILE, HostedFiles
 from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
-from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
-from sigcat.web.pages.checked_text import Asked, text_values
+from sigcat.web.pages.checked_text import Asked, Posted, TheAsked, ThePosted, text_values
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page_for
@@ -37,7 +29,6 @@ from sigcat.web.views.document_tabs import TABS, chosen_tab, download, open_tab
 from sigcat.web.views.generated_documents import documents_of
 from sigcat.web.views.proposing.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text
-from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 Kind = Literal["overlay", "function", "tree"]
@@ -84,28 +75,19 @@ class Tried(NamedTuple):
 
 @router.get("/try")
 async def show_try(
-    request: Request,
-    hosted: NamedCatalogue,
-    rules: TheRules,
-    functions: TheFunctions,
+    asked: TheAsked,
     queue: TheWorkQueue,
     kind: Kind = "overlay",
     example: Annotated[str, Query(max_length=100)] = "",
 ) -> Response:
     """The page with a text to begin with: a hosted function, a shipped overlay, or a few lines."""
-
-    asked = Asked(visit_of(request), hosted, rules, functions.files, settings_of(request).limits)
     return await queue.run(_begun, asked, kind, example)
 
 
 @router.post("/try")
-async def try_text(
-    request: Request, rules: TheRules, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody
-) -> Response:
+async def try_text(queue: TheWorkQueue, posted: ThePosted) -> Response:
     """The page with what was found in the posted text, or a document made of it. The text is not stored."""
-    posted = posted_form(body, request.headers.get("content-type", ""))
-    limits = settings_of(request).limits
-    return await queue.run(_tried_form, visit_of(request), posted, rules, functions.files, limits)
+    return await queue.run(_tried_form, posted)
 
 
 def _begun(asked: Asked, kind: Kind, example: str) -> Response:
@@ -113,23 +95,17 @@ def _begun(asked: Asked, kind: Kind, example: str) -> Response:
     return _page(asked, kind, text, _judged(asked, kind, text.encode("utf-8", "replace")))
 
 
-def _tried_form(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
-    form = read_form(posted)
-    asked = Asked(visit, form_catalogue(form, visit.library), rules, files, limits)
+def _tried_form(posted: Posted) -> Response:
+    asked, form = posted.read()
     given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:
         raise UsageError(f"The kind must be {' or '.join(KINDS)}, not {given[:100]!r}.")
-    data = _posted_data(form)
+    data = form.files[0].data if form.files else form.text("text").encode("utf-8", "replace")
     result = _judged(asked, kind, data)
     if form.last("download"):
         return _download(result.resolved, form.last("download"))
     return _page(asked, kind, shown_text(data), result, form.last("view", "interfaces"))
-
-
-def _posted_data(form: Form) -> bytes:
-    """The file that was chosen, byte for byte, or else the text of the field."""
-    return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
 
 
 def _download(function: ResolvedFunction | None, document_id: str) -> Response:

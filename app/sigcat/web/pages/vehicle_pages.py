@@ -9,7 +9,7 @@ from sigcat.api.requests.dependencies import AnyCatalogue, TheLibrary
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.catalogue.hosting.vehicle_matrix import matrix_csv
 from sigcat.limits import PARAMETER_CHARACTERS
-from sigcat.web.rendering import page
+from sigcat.web.rendering import page, text_file
 from sigcat.web.views.vehicle_view import base_of, chosen_matrix, filters_of, vehicle_view
 
 router = APIRouter(route_class=InThread)
@@ -52,7 +52,6 @@ def download_vehicles(
     shown: Shown = "",
 ) -> Response:
     """The same table as CSV, with all rows and vehicles that the filters leave."""
-    matrix = chosen_matrix(base_of(library, hosted), filters_of(text, facts, is_all=shown == "all"))
-    name = f"{base_of(library, hosted).source.id}-vehicles.csv"
-    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
-    return Response(matrix_csv(matrix).encode("utf-8"), media_type="text/csv; charset=utf-8", headers=headers)
+    base = base_of(library, hosted)
+    matrix = chosen_matrix(base, filters_of(text, facts, is_all=shown == "all"))
+    return text_file(matrix_csv(matrix), f"{base.source.id}-vehicles.csv", "text/csv")

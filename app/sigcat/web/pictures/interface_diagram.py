@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.walk import absent_of, calls_of, data_of
+from sigcat.function.function_json.walk import absent, calls_of, data, errors, methods, parameters, safety_reactions
 from sigcat.web.template_filters import unit as typeset_unit
 
 _LABELS_LEFT, _LABELS_RIGHT = 344, 776
@@ -27,8 +27,6 @@ Side = Literal["left", "right"]
 class Port(NamedTuple):
     """An interface at the edge of the box."""
 
-    y: int
-    side: Side
     kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
     outer: str
     """Label outside: the place of the interface in the catalogue."""
@@ -39,6 +37,8 @@ class Port(NamedTuple):
     title: str
     mark: str = ""
     """After the label outside: ` (optional)`."""
+    y: int = 0
+    side: Side = "left"
 
 
 class Heading(NamedTuple):
@@ -70,15 +70,6 @@ class Diagram(NamedTuple):
     left: int
     """Left edge of the picture: labels on the left end in one line, and the longest sets how far out they reach."""
     width: int
-
-
-class _Item(NamedTuple):
-    kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
-    outer: str
-    inner: str
-    path: str
-    title: str
-    mark: str = ""
 
 
 def interface_diagram(function: FunctionJson) -> Diagram:
@@ -126,66 +117,55 @@ def short(path: str) -> str:
     return f"…{end.partition('.')[2] or end}"
 
 
-def _incoming(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
-    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
-    parameters = [
-        _Item("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
-        for contract in contracts
-        for p in contract.parameters or ()
+def _incoming(function: FunctionJson) -> list[tuple[str, list[Port]]]:
+    taken = [
+        Port("parameter", _label(p.vss_path, p.name), _with(p.name, p.units), p.vss_path or "", p.description.raw)
+        for _, _, p in parameters(function)
     ]
     reactions = [
-        _Item("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
-        for contract in contracts
-        for r in contract.safety_reactions or ()
+        Port("reaction", r.name, "", r.vss_path or "", f"{r.description.raw} Set by {', '.join(r.errors)}.")
+        for _, _, r in safety_reactions(function)
     ]
     return [
         ("Signals in", _signals(function, provided=False)),
-        ("Parameters", parameters),
+        ("Parameters", taken),
         ("Safety reactions", reactions),
         ("Mode", _modes(function, "In")),
         ("Methods used", _methods(function, provided=False)),
     ]
 
 
-def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
-    errors = [
-        _Item("error", e.name, "", e.vss_path or "", e.description.raw)
-        for call in calls_of(function)
-        for contract in call.contracts or ()
-        for e in contract.errors or ()
-    ]
+def _outgoing(function: FunctionJson) -> list[tuple[str, list[Port]]]:
+    reported = [Port("error", e.name, "", e.vss_path or "", e.description.raw) for _, _, e in errors(function)]
     return [
         ("Signals out", _signals(function, provided=True)),
-        ("Errors", errors),
+        ("Errors", reported),
         ("Mode", _modes(function, "Out")),
         ("Methods offered", _methods(function, provided=True)),
     ]
 
 
-def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
-    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
-    there = [(each, " (optional)" if each.is_optional else "") for contract in contracts for each in data_of(contract)]
-    lacking = [(each, " (optional, not in this catalogue)") for contract in contracts for each in absent_of(contract)]
+def _signals(function: FunctionJson, *, provided: bool) -> list[Port]:
+    there = [(each, " (optional)" if each.is_optional else "") for _, _, each in data(function)]
+    lacking = [(each, " (optional, not in this catalogue)") for _, _, each in absent(function)]
     return [
-        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
+        Port("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
         for s, mark in (*there, *lacking)
         if (s.role == PROVIDER) is provided
     ]
 
 
-def _methods(function: FunctionJson, *, provided: bool) -> list[_Item]:
+def _methods(function: FunctionJson, *, provided: bool) -> list[Port]:
     return [
-        _Item("method", m.name, "", "", m.description.raw)
-        for call in calls_of(function)
-        for contract in call.contracts or ()
-        for m in contract.methods or ()
+        Port("method", m.name, "", "", m.description.raw)
+        for _, _, m in methods(function)
         if (m.role == PROVIDER) is provided
     ]
 
 
-def _modes(function: FunctionJson, direction: str) -> list[_Item]:
+def _modes(function: FunctionJson, direction: str) -> list[Port]:
     return [
-        _Item("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description.raw} {', '.join(m.modes)}")
+        Port("mode", m.name, " ".join(m.modes), m.vss_path or "", f"{m.description.raw} {', '.join(m.modes)}")
         for m in function.mode_interfaces or ()
         if m.direction == direction
     ]
@@ -199,7 +179,7 @@ def _with(name: str, unit: str | None) -> str:
     return f"{name} [{typeset_unit(unit)}]" if unit else name
 
 
-def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> tuple[list[Port], list[Heading], int]:
+def _placed(side: Side, groups: Iterable[tuple[str, list[Port]]], top: int) -> tuple[list[Port], list[Heading], int]:
     """Ports and headings one below the other, and where they end."""
     ports: list[Port] = []
     headings: list[Heading] = []
@@ -211,6 +191,6 @@ def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> 
         y += _HEADING
         for item in items:
             inner = item.inner if len(item.inner) <= _LONGEST_INSIDE else f"{item.inner[: _LONGEST_INSIDE - 1]}…"
-            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title, item.mark))
+            ports.append(item._replace(inner=inner, y=y + _ROW // 2, side=side))
             y += _ROW
     return ports, headings, y

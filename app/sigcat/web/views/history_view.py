@@ -58,7 +58,8 @@ def _rows(history: NodeHistory, hosted: Mapping[str, Hosted]) -> Iterator[Histor
         event = by_release.get(release)
         path = event.path if event else path
         if event:
-            text = _capitalized(event_text(event, history)) + _OLDEST.get(event.kind, "")
+            text = event_text(event, history)
+            text = text[:1].upper() + text[1:] + _OLDEST.get(event.kind, "")
             yield HistoryRow(release, hosted.get(release), path, event, release_text(event), text, SIGNS[event.kind])
         elif path:
             yield HistoryRow(release, hosted.get(release), path, None, release, "Unchanged", SIGNS[""])
@@ -74,7 +75,3 @@ def _places(history: NodeHistory) -> Iterator[str]:
             yield ""
     if "" in events and history.release not in history.releases:
         yield ""
-
-
-def _capitalized(text: str) -> str:
-    return text[:1].upper() + text[1:]

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from sigcat.api.answers.serializers import shown_file
-from sigcat.catalogue.comparing.changes import CLASSES, AttributeChange, same
+from sigcat.catalogue.comparing.changes import CLASSES, same
 from sigcat.catalogue.comparing.compatibility import Vocabularies, attribute_changes
 from sigcat.catalogue.comparing.instance_changes import instances_as_written
 from sigcat.catalogue.hosting.library import Hosted
@@ -88,7 +88,8 @@ def compare_nodes(left: Side, right: Side) -> NodeComparison:
     """Compare two nodes, attribute by attribute."""
     assert left.node is not None
     assert right.node is not None
-    rows = tuple(_rows(left.node, right.node, _vocabularies(left, right)))
+    vocabularies = Vocabularies(left.hosted.catalogue.vocabulary, right.hosted.catalogue.vocabulary)
+    rows = tuple(_rows(left.node, right.node, vocabularies))
     classes = [row.compatibility for row in rows if row.differs]
     children = tuple(_children(left.node, right.node))
     return NodeComparison(
@@ -124,20 +125,13 @@ def same_name_elsewhere(catalogue: Catalogue, node: Node) -> tuple[str, ...]:
 _NO_VOCABULARIES = Vocabularies()
 
 
-def _vocabularies(left: Side, right: Side) -> Vocabularies:
-    return Vocabularies(left.hosted.catalogue.vocabulary, right.hosted.catalogue.vocabulary)
-
-
 def _rows(left: Node, right: Node, vocabularies: Vocabularies) -> Iterator[Row]:
     changes = {change.name: change for change in attribute_changes(left.values, right.values, vocabularies)}
     for name in ordered({**_values(left), **_values(right)}):
         first, second = _cell(left, name), _cell(right, name)
         differs = first is None or second is None or not same(first.value, second.value)
-        yield Row(name, first, second, differs, _class(changes, name, differs), name not in CORE_ATTRIBUTES)
-
-
-def _class(changes: Mapping[str, AttributeChange], name: str, differs: bool) -> str:
-    return changes[name].compatibility if differs and name in changes else ""
+        compatibility = changes[name].compatibility if differs and name in changes else ""
+        yield Row(name, first, second, differs, compatibility, name not in CORE_ATTRIBUTES)
 
 
 def _cell(node: Node, name: str) -> Cell | None:

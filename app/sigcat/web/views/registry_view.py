@@ -8,7 +8,9 @@ from typing import NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
+from sigcat.integration.grouping import grouped
 from sigcat.names import nearest
+from sigcat.registry.access.access import Listed
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.compatibility.conflicts import Conflict
 from sigcat.registry.compatibility.deploying import Decision, can_deploy
@@ -17,11 +19,11 @@ from sigcat.registry.decisions.acknowledgements import Deprecation, deprecations
 from sigcat.registry.decisions.approvals import Pending, pending
 from sigcat.registry.events import event_name
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
-from sigcat.registry.reference import DEPLOYABLE, Kind
+from sigcat.registry.reference import DEPLOYABLE, KIND_OF
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Entry, now
-from sigcat.registry.storing.ledger import head, log_page
+from sigcat.registry.storing.ledger import last_number, log_page
 from sigcat.registry.use import from_json
 from sigcat.registry.webhooks.deliveries import count_deliveries, deliveries
 
@@ -34,8 +36,6 @@ _DELIVERIES = 100
 """Deliveries on the page."""
 _FUNCTIONS, _LINES = 20, 8
 """Rows and columns of the matrix."""
-GROUPS: Mapping[str, Kind] = {"functions": "function", "overlays": "overlay", "catalogues": "catalogue"}
-"""Kinds of names by the part of an address."""
 
 
 class NameRow(NamedTuple):
@@ -90,17 +90,10 @@ class DeliveriesView(NamedTuple):
     total: int
 
 
-class VersionRow(NamedTuple):
-    """A version of a name."""
-
-    published: Published
-    lines: tuple[str, ...]
-
-
 class NameView(NamedTuple):
     """All versions of a name, the newest first, and the changes between two of them."""
 
-    versions: tuple[VersionRow, ...]
+    versions: tuple[Listed, ...]
     old: str
     new: str
     changes: tuple[UseChange, ...]
@@ -161,8 +154,7 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
     versions = all_versions(connection)
     lines = lines_by_version(connection)
     rows = tuple(_name_rows(versions, lines))
-    last = head(connection)
-    number = last.number if last else 0
+    number = last_number(connection)
     entries = tuple(
         (each.entry, event_name(each.entry)) for each in log_page(connection, max(0, number - ENTRIES), ENTRIES)
     )
@@ -177,10 +169,7 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
 
 
 def _name_rows(versions: Iterable[Published], lines: Mapping[int, tuple[str, ...]]) -> Iterator[NameRow]:
-    by_name: dict[tuple[Kind, str], list[Published]] = {}
-    for each in versions:
-        by_name.setdefault((each.kind, each.name), []).append(each)
-    for found in by_name.values():
+    for found in grouped(versions, lambda each: (each.kind, each.name)).values():
         where = sorted({line for each in found for line in lines.get(each.id, ())})
         yield NameRow(_newest(found) or found[-1], len(found), tuple(where))
 
@@ -192,7 +181,7 @@ def _newest(versions: Sequence[Published]) -> Published | None:
 
 def name_view(connection: Snapshot, group: str, name: str, old: str = "", new: str = "") -> NameView:
     """Return the versions of a name. Without two versions given, the last two are compared. Raises NotFound."""
-    kind = _known("kind", group, GROUPS)
+    kind = _known("kind", group, KIND_OF)
     versions = all_versions(connection, kind, name)
     if not versions:
         raise NotFound(f"Unknown {kind} {name[:100]!r}.", nearest(name[:100], names_of(connection, kind)))
@@ -202,7 +191,7 @@ def name_view(connection: Snapshot, group: str, name: str, old: str = "", new: s
     new = new or versions[-1].version
     old = old or versions[max(0, len(versions) - 2)].version
     lines = lines_by_version(connection)
-    rows = tuple(VersionRow(each, lines.get(each.id, ())) for each in reversed(versions))
+    rows = tuple(Listed(each, lines.get(each.id, ())) for each in reversed(versions))
     changes = _changes(connection, by_version[old], by_version[new]) if kind == "function" and old != new else ()
     return NameView(rows, old, new, tuple(changes))
 
@@ -220,9 +209,7 @@ def _changes(connection: Snapshot, old: Published, new: Published) -> Iterator[U
 
 def matrix_view(connection: Snapshot, start: int) -> MatrixView:
     """Return which versions run in each line, and whether the newest one may be deployed there."""
-    by_name: dict[str, list[Published]] = {}
-    for each in all_versions(connection, "function"):
-        by_name.setdefault(each.name, []).append(each)
+    by_name = grouped(all_versions(connection, "function"), lambda each: each.name)
     lines = names_of(connection, "line")
     runs: dict[tuple[str, str], list[Published]] = {}
     for one in running(connection):
