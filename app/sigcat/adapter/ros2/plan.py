@@ -1,5 +1,6 @@
 """The plan of the packages: every name resolved, so that the writers need nothing else."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -8,7 +9,7 @@ from sigcat.adapter.host.plan import HostPlan
 from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy
-from sigcat.names import camel_case
+from sigcat.names import camel_case, snake_case
 
 
 class InterfaceType(NamedTuple):
@@ -180,6 +181,11 @@ class StructPair(NamedTuple):
     members: tuple[str, ...]
     struct: WireStruct
 
+    @property
+    def names(self) -> Sequence[tuple[str, str]]:
+        """Names of each member in the message and in the core."""
+        return [(name, field.name) for name, field in zip(self.members, self.struct.fields, strict=True)]
+
 
 @dataclass(frozen=True)
 class NodePlan:
@@ -212,6 +218,11 @@ class NodePlan:
     def stem(self) -> str:
         """Base name of its files: `core_acc_node`."""
         return f"{self.name}_node"
+
+    @property
+    def function_stem(self) -> str:
+        """Its function: `core_acc`, what the folder of its code is called by default."""
+        return snake_case(self.core.function)
 
     @property
     def type(self) -> str:
