@@ -243,6 +243,11 @@ class NodePlan:
         """The class of a message in the namespace of the package: `msg::Speed`, or `geometry_msgs::msg::Twist`."""
         return f"{interface.kind}::{interface.name}" if self.is_own(interface) else interface.cpp
 
+    def python(self, interface: InterfaceType) -> str:
+        """The class of a message or service in a module of the set: `msg.Speed`, or `geometry_msgs.msg.Twist`."""
+        own = f"{interface.kind}.{interface.name}"
+        return own if self.is_own(interface) else f"{interface.package}.{own}"
+
     def private(self, topic: str) -> str:
         """A topic or service as the node creates it: below its own name, whatever it is started as, if it is the node's."""
         own = f"{self.name}/"
