@@ -21,6 +21,11 @@ class InterfaceType(NamedTuple):
     name: str
 
     @property
+    def path(self) -> str:
+        """The name in ROS 2: `eco_control_interfaces/msg/Speed`."""
+        return f"{self.package}/{self.kind}/{self.name}"
+
+    @property
     def cpp(self) -> str:
         """The class in C++: `eco_control_interfaces::msg::Speed`."""
         return f"{self.package}::{self.kind}::{self.name}"
