@@ -56,14 +56,7 @@ def _received(port: Port, element: Element, data: DataElement, use: Use, context
     return _end(port, element, data, use, context, status) if status else None
 
 
-def _end(
-    port: Port,
-    element: Element,
-    data: DataElement,
-    use: Use,
-    context: SwcContext,
-    value: HostValue,
-) -> DataEnd:
+def _end(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext, value: HostValue) -> DataEnd:
     return DataEnd(
         port=port.name,
         element=element.name,
