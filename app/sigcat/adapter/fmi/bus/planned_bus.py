@@ -81,18 +81,19 @@ def bus_of(connections: Connections, layout: Layout, settings: BusSettings, netw
 
 
 def _ends(connections: Connections, layout: Layout, network: Network) -> Iterator[_End]:
-    sides: Mapping[str, tuple[Sequence[Entry | Exit], Sequence[Mapped | Outgoing]]] = {
-        "input": (connections.entries, network.mapped),
-        "output": (connections.exits, network.outgoing),
-    }
     for reference, variable in enumerate(layout.variables):
-        ends, mapped = sides.get(variable.causality, ((), ()))
-        end = ends[variable.owner] if ends else None
-        for each in mapped if end is not None and isinstance(end.shape, Number) else ():
-            if end is not None and (each.path in end.names or each.name in end.names):
-                allowed = each.allowed if isinstance(each, Mapped) else frozenset()
-                is_sent = variable.causality == "output"
-                yield _End(reference, variable, each.path, each.datatype, each.mapping, allowed, is_sent)
+        if variable.causality == "input":
+            yield from _of(reference, variable, connections.entries[variable.owner], network.mapped)
+        elif variable.causality == "output":
+            yield from _of(reference, variable, connections.exits[variable.owner], network.outgoing)
+
+
+def _of(reference: int, variable: Variable, end: Entry | Exit, mapped: Sequence[Mapped | Outgoing]) -> Iterator[_End]:
+    is_sent = variable.causality == "output"
+    for each in mapped if isinstance(end.shape, Number) else ():
+        if each.path in end.names or each.name in end.names:
+            allowed = each.allowed if isinstance(each, Mapped) else frozenset()
+            yield _End(reference, variable, each.path, each.datatype, each.mapping, allowed, is_sent)
 
 
 # -- what a bus cannot carry --------------------------------------------------------------------------------------
