@@ -86,7 +86,7 @@ def _mixed_queues(contexts: Iterable[NodeContext]) -> Iterator[Finding]:
 
 
 def _full_enumerations(nodes: Iterable[NodePlan]) -> Iterator[Finding]:
-    """Enumerations without a number for a text that is none of them: it becomes a number that is none of them either."""
+    """Enumerations without an unused number, which a text that is none of their values becomes."""
     fix = "Set `enumerations` to `number` or `both` in the deployment file."
     for index, node in enumerate(nodes):
         for taken in (taken for subscription in node.subscriptions for taken in subscription.takes):

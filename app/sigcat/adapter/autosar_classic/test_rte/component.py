@@ -48,7 +48,7 @@ class _Calibrated(NamedTuple):
 class _Function(NamedTuple):
     """A function that runnables call; `kind` decides its body, `of` is what the body needs.
 
-    A switched mode needs `<component>_<port>` of those that receive it, a trigger the numbers of the events that it raises.
+    A switched mode needs `<component>_<port>` of those that receive it, a trigger the numbers of its events.
     """
 
     call: Call
