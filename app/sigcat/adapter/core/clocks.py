@@ -1,17 +1,9 @@
 """Clocks of the cores of a program: ticks of 32 bits if all declared times allow it, else nanoseconds."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from sigcat.adapter.core.plan import LONGEST, MICROSECONDS, MILLISECONDS, NANOSECONDS, Call, Clock, CorePlan
 from sigcat.function.document.text_filters import milliseconds
-
-
-class _Declared(NamedTuple):
-    """A declared time."""
-
-    what: str
-    nanoseconds: int
 
 
 def with_common_clock(plans: Sequence[CorePlan]) -> tuple[CorePlan, ...]:
@@ -40,35 +32,36 @@ def _obstacles(plans: Sequence[CorePlan], clock: Clock) -> Iterator[str]:
         for call in plan.steps:
             if call.deadline and clock == MILLISECONDS:
                 yield f"the deadline supervision of {call.name} in {plan.function} needs them"
-        for declared in _declared_times(plan):
-            text = f"{declared.what} in {plan.function} is {milliseconds(declared.nanoseconds)}"
-            if declared.nanoseconds % clock.tick:
+        for what, nanoseconds in _declared_times(plan):
+            text = f"{what} in {plan.function} is {milliseconds(nanoseconds)}"
+            if nanoseconds % clock.tick:
                 yield text
-            if declared.nanoseconds > LONGEST * clock.tick:
+            if nanoseconds > LONGEST * clock.tick:
                 yield f"{text}, too long for {clock.unit.lower()} in 32 bits"
 
 
-def _declared_times(plan: CorePlan) -> Iterator[_Declared]:
+def _declared_times(plan: CorePlan) -> Iterator[tuple[str, int]]:
+    """Declared times in nanoseconds, each behind what it is."""
     for call in plan.steps:
         yield from _of_call(call)
     for error in plan.errors:
-        yield _Declared(f"the maturation time of {error.named.name}", error.maturation)
-        yield _Declared(f"the reset time of {error.named.name}", error.reset)
+        yield (f"the maturation time of {error.named.name}", error.maturation)
+        yield (f"the reset time of {error.named.name}", error.reset)
     for reaction in plan.reactions:
-        yield _Declared(f"the time-out of {reaction.named.name}", reaction.time_out or 0)
+        yield (f"the time-out of {reaction.named.name}", reaction.time_out or 0)
     for request in plan.requests:
-        yield _Declared(f"the time-out of {request.named.name}", request.time_out or 0)
+        yield (f"the time-out of {request.named.name}", request.time_out or 0)
 
 
-def _of_call(call: Call) -> Iterator[_Declared]:
-    yield _Declared(f"the cycle of {call.name}", call.cycle or 0)
-    yield _Declared(f"the offset of {call.name}", call.offset)
-    yield _Declared(f"the debounce time of {call.name}", call.debounce)
+def _of_call(call: Call) -> Iterator[tuple[str, int]]:
+    yield (f"the cycle of {call.name}", call.cycle or 0)
+    yield (f"the offset of {call.name}", call.offset)
+    yield (f"the debounce time of {call.name}", call.debounce)
     for item in call.inputs:
         if item.time_out:
-            yield _Declared(f"the time-out of {item.named.name}", item.time_out.nanoseconds)
+            yield (f"the time-out of {item.named.name}", item.time_out.nanoseconds)
     if call.alive:
-        yield _Declared(f"the window of {call.name}", call.alive.window)
+        yield (f"the window of {call.name}", call.alive.window)
     if call.deadline:
-        yield _Declared(f"the shortest duration of {call.name}", call.deadline.least)
-        yield _Declared(f"the longest duration of {call.name}", call.deadline.most)
+        yield (f"the shortest duration of {call.name}", call.deadline.least)
+        yield (f"the longest duration of {call.name}", call.deadline.most)

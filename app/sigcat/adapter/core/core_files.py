@@ -9,7 +9,7 @@ from sigcat.adapter.core.c.header import header
 from sigcat.adapter.core.c.names.scope import Scope, in_adapter
 from sigcat.adapter.core.c.names.shadowing import distinct
 from sigcat.adapter.core.c.source import source
-from sigcat.adapter.core.c.text.lines import Lines, wrapped
+from sigcat.adapter.core.c.text.lines import file_of, wrapped
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import NANOSECONDS, Clock, CorePlan
 from sigcat.adapter.files import GeneratedFile
@@ -61,9 +61,5 @@ def core_files(plan: CorePlan) -> CoreFiles:
         for number, line in enumerate(part, 1)
         if line.source is not None
     }
-    made = [GeneratedFile(name, _text(part)) for name, part in zip(names, parts, strict=True)]
+    made = [file_of(name, part) for name, part in zip(names, parts, strict=True)]
     return CoreFiles(made[0], made[1], origins, runtime_files(plan.arithmetic, plan.clock))
-
-
-def _text(part: Lines) -> bytes:
-    return ("\n".join(line.text for line in part) + "\n").encode()

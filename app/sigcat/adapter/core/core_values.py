@@ -338,11 +338,9 @@ def _at(given: Any, path: Iterable[str | None], index: int) -> Any:
 def _element(given: Any, part: Part) -> Fraction | None:
     if isinstance(given, str):
         return next((Fraction(each.value) for each in part.symbols or () if each.symbol == given), None)
-    return (
-        Fraction(repr(given))
-        if isinstance(given, int | float) and not isinstance(given, bool)
-        else (Fraction(int(given)) if isinstance(given, bool) else None)
-    )
+    if isinstance(given, bool):
+        return Fraction(int(given))
+    return Fraction(repr(given)) if isinstance(given, int | float) else None
 
 
 def _target_numbers(given: tuple[Fraction, ...] | None, part: Part, target: Side) -> tuple[Number, ...]:

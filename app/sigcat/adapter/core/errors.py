@@ -111,13 +111,16 @@ def errors_of(
     context: Context,
 ) -> tuple[Error, ...]:  # fmt: skip
     """The errors, each after those that it depends on. `resets` are places of verdicts, by the names of signals."""
+    items = _by_name(declared)
+    made = {name: _error(listed, causes.get(name, ()), resets, names, context) for name, listed in items.items()}
+    return tuple(made[name] for name in _in_order(items))
+
+
+def _by_name(declared: Iterable[Declared]) -> dict[str, list[Declared]]:
     items: dict[str, list[Declared]] = {}
     for each in declared:
         items.setdefault(each.item.name, []).append(each)
-    made: dict[str, Error] = {}
-    for name, listed in items.items():
-        made[name] = _error(listed, causes.get(name, ()), resets, names, context)
-    return tuple(made[name] for name in _in_order(items))
+    return items
 
 
 def _in_order(items: Mapping[str, list[Declared]]) -> tuple[str, ...]:
@@ -190,14 +193,7 @@ def foreign_errors(errors: Iterable[Error], reactions: Iterable[Reaction]) -> tu
 
 def reactions_of(declared: Iterable[Declared], own: Names, names: Names, context: Context) -> tuple[Reaction, ...]:
     """The safety reactions, each once, with all calls that list it. `own` are names of errors, `names` its own."""
-    items: dict[str, list[Declared]] = {}
-    for each in declared:
-        items.setdefault(each.item.name, []).append(each)
-    made = []
-    for listed in items.values():
-        reaction = _reaction(listed, own, names, context)
-        made.append(reaction)
-    return tuple(made)
+    return tuple(_reaction(listed, own, names, context) for listed in _by_name(declared).values())
 
 
 def _reaction(listed: list[Declared], own: Names, names: Names, context: Context) -> Reaction:

@@ -38,8 +38,8 @@ def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> 
         context.report(codes.VARIABLE_MISSING, at, message, f"Give `{wanted}`.", Subject("method", item.name))
         return None
     inputs, outputs = (*at, "InDataTypeList"), (*at, "OutDataTypeList")
-    arguments = _arguments(item.inputs, inputs, context, to_code=is_offered, is_checked=is_offered)
-    results = _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=not is_offered)
+    arguments = _arguments(item.inputs, inputs, context, is_received=is_offered)
+    results = _arguments(item.outputs, outputs, context, is_received=not is_offered)
     return Method(
         named=Named(identifier(item.name), item.name, at),
         call=call,
@@ -54,8 +54,9 @@ def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> 
 
 
 def _arguments(
-    items: tuple[DeclaredArgument, ...], at: Pointer, context: Context, *, to_code: bool, is_checked: bool
+    items: tuple[DeclaredArgument, ...], at: Pointer, context: Context, *, is_received: bool
 ) -> tuple[Argument, ...]:
+    """Arguments or results. Those that the function receives are checked."""
     made = []
     for index, item in enumerate(items):
         where = (*at, index)
@@ -64,9 +65,9 @@ def _arguments(
             context.report(codes.VARIABLE_MISSING, where, message, "Give `variable`.")
             continue
         variable = expression(item.variable, item.name, (*where, "Variable"), context)
-        value = value_of(_as_signal(item), where, context, to_code=to_code)
+        value = value_of(_as_signal(item), where, context, to_code=is_received)
         if variable is not None and value is not None:
-            made.append(Argument(identifier(item.name), variable, value if is_checked else _unchecked(value)))
+            made.append(Argument(identifier(item.name), variable, value if is_received else _unchecked(value)))
     return tuple(made)
 
 

@@ -83,7 +83,7 @@ def _planned(context: Context) -> CorePlan:
     called = methods_of(listed, context)
     calls = _calls(listed, context)
     steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.is_step)
-    status = _status(listed, calls, mode, values, context)
+    errors, reactions = _status(listed, calls, mode, values, context)
     return CorePlan(
         function=identifier(context.name),
         version=function.info.version,
@@ -92,9 +92,9 @@ def _planned(context: Context) -> CorePlan:
         structs=wire_structs(_references(function), context),
         ports=received(calls, frozenset(step.name for step in steps)),
         parameters=values,
-        errors=status.errors,
-        foreign_errors=foreign_errors(status.errors, status.reactions),
-        reactions=status.reactions,
+        errors=errors,
+        foreign_errors=foreign_errors(errors, reactions),
+        reactions=reactions,
         mode_in=mode,
         mode_out=out,
         methods=called,
@@ -112,14 +112,9 @@ def _references(function: FunctionJson) -> Iterator[str]:
     yield from (each.datatype for _, _, item in methods(function) for each in (*item.inputs, *item.outputs))
 
 
-class _Status(NamedTuple):
-    errors: tuple[Error, ...]
-    reactions: tuple[Reaction, ...]
-
-
 def _status(
     listed: list[ListedCall], calls: list[Call], mode: ModeIn | None, values: tuple[Parameter, ...], context: Context
-) -> _Status:
+) -> tuple[tuple[Error, ...], tuple[Reaction, ...]]:
     steps = [call for call, each in zip(calls, listed, strict=True) if each.is_step]
     declared, reacting = status_items(listed)
     taken = {output.named.name for step in steps for output in step.outputs} | {"Mode_In", "Mode_Out"}
@@ -128,8 +123,7 @@ def _status(
     names = short_names(reacting, context.name, "_SftyCondSts", taken)
     causes = causes_of(steps, calls, mode, values)
     errors = errors_of(declared, causes, _resets(steps), own, context)
-    reactions = reactions_of(reacting, own, names, context)
-    return _Status(errors, reactions)
+    return errors, reactions_of(reacting, own, names, context)
 
 
 def _resets(steps: list[Call]) -> Resets:

@@ -6,7 +6,7 @@ A build finds the code of functions by the settings of CMake that other platform
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path, PurePosixPath
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
@@ -16,7 +16,7 @@ from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
-from sigcat.adapter.fmi.bus.plan import bus_plan
+from sigcat.adapter.fmi.bus.plan import bus_plan, double
 from sigcat.adapter.fmi.clocks import clocks_of, is_inside
 from sigcat.adapter.fmi.dependencies import dependencies
 from sigcat.adapter.fmi.fmi_integration import LONGEST_NAME, Unit, units_of
@@ -63,13 +63,6 @@ class _Source(NamedTuple):
     """Sources of the core and of its caller."""
 
 
-class _Call(NamedTuple):
-    """A call in the tables of an FMU."""
-
-    name: str
-    is_inside: bool
-
-
 class _FmuPlan(NamedTuple):
     """Plan of the files of an FMU."""
 
@@ -81,8 +74,8 @@ class _FmuPlan(NamedTuple):
     """Function, receiver, offset, and the first input of the same variable."""
     outputs: tuple[tuple[int, int, tuple[int, ...]], ...]
     """Offset, size and the inputs that get it."""
-    calls: tuple[_Call, ...]
-    """Calls with a clock."""
+    calls: tuple[tuple[str, bool], ...]
+    """Calls with a clock, and whether a signal that the function itself sends triggers them."""
     parameters: tuple[int, ...]
     values: bytes
     is_single: bool
@@ -109,19 +102,6 @@ class _Outside(NamedTuple):
     fmus: tuple[str, ...]
 
 
-class _ProjectPlan(NamedTuple):
-    """Plan of the files that all FMUs share."""
-
-    model: FmiIntegration
-    fmus: tuple[_FmuPlan, ...]
-    languages: str
-    units: tuple[FmiUnit, ...]
-    system_name: str
-    """Name of the package of the system, without its ending."""
-    outside: tuple[_Outside, ...]
-    """Connectors of the system."""
-
-
 @collector_paused()
 def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...]:
     """A folder for each FMU, the system of all of them, and a CMake project. The same document gives the same bytes.
@@ -135,15 +115,17 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
         units = units_of(functions, name_of_set, has_arrays=model.version is None)
         _check(model, units)
     fmus = tuple(_plan(fmu, unit, model) for fmu, unit in zip(model.fmus, units, strict=True))
-    languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
-    of_all = fmi_units(each.name for plan in fmus for each in plan.units)
-    project = _ProjectPlan(
-        model, fmus, languages, of_all, identifier(model.info.function_name)[:LONGEST_NAME], _outside(model, fmus)
-    )
+    project = {
+        "model": model,
+        "fmus": fmus,
+        "languages": "C CXX" if any(each.is_cpp for each in fmus) else "C",
+        "units": fmi_units(each.name for plan in fmus for each in plan.units),
+        # Name of the package of the system, without its ending, and its connectors.
+        "system_name": identifier(model.info.function_name)[:LONGEST_NAME],
+        "outside": _outside(model, fmus),
+    }
     return (
-        _file("CMakeLists.txt", project),
-        _file("README.md", project),
-        _file("SystemStructure.ssd", project),
+        *(_file(name, project) for name in ("CMakeLists.txt", "README.md", "SystemStructure.ssd")),
         *(file for plan, unit in zip(fmus, units, strict=True) for file in within(plan.fmu.name, _files(plan, unit))),
     )
 
@@ -151,26 +133,25 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
 def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
     """The place of each field of the document. Raises InputRefused if the document cannot be used."""
     model = read_integration(data, name, limits)
-    made: list[Entry] = []
+    return tuple(entry for part in _parts(model) for entry in _entries(*part))
+
+
+def _parts(model: FmiIntegration) -> Iterator[tuple[str, str, str, BaseModel, str]]:
+    """Each part of the document: its owner, its name and kind, and the file that has its fields."""
     for fmu in model.fmus:
-        place = FieldTarget(f"{fmu.name}/modelDescription.xml")
-        made += entries(fmu.name, fmu.name, "FMU", fmu, dict.fromkeys(_aliases(fmu), place))
-        for clock in fmu.clocks or ():
-            made += entries(fmu.name, clock.name, "clock", clock, dict.fromkeys(_aliases(clock), place))
-        for each in fmu.variables:
-            made += entries(fmu.name, each.name, "variable", each, dict.fromkeys(_aliases(each), place))
-        for place_of, message in _bus_parts(fmu):
-            made += entries(
-                fmu.name,
-                place_of,
-                "bus",
-                message,
-                dict.fromkeys(_aliases(message), FieldTarget(f"{fmu.name}/sources/sigcat_bus_model.c")),
-            )
+        description = f"{fmu.name}/modelDescription.xml"
+        yield fmu.name, fmu.name, "FMU", fmu, description
+        yield from ((fmu.name, clock.name, "clock", clock, description) for clock in fmu.clocks or ())
+        yield from ((fmu.name, each.name, "variable", each, description) for each in fmu.variables)
+        tables = f"{fmu.name}/sources/sigcat_bus_model.c"
+        yield from ((fmu.name, name, "bus", part, tables) for name, part in _bus_parts(fmu))
     for one in model.connections:
-        system = FieldTarget("SystemStructure.ssd")
-        made += entries(one.end_fmu, one.end_variable, "connection", one, dict.fromkeys(_aliases(one), system))
-    return tuple(made)
+        yield one.end_fmu, one.end_variable, "connection", one, "SystemStructure.ssd"
+
+
+def _entries(owner: str, name: str, kind: str, part: BaseModel, file: str) -> list[Entry]:
+    fields = [str(field.alias or key) for key, field in type(part).model_fields.items()]
+    return entries(owner, name, kind, part, dict.fromkeys(fields, FieldTarget(file)))
 
 
 def _outside(model: FmiIntegration, fmus: Sequence[_FmuPlan]) -> tuple[_Outside, ...]:
@@ -201,10 +182,6 @@ def _bus_parts(fmu: Fmu) -> Iterator[tuple[str, BaseModel]]:
             yield f"{message.identifier:X}:{signal.start}", signal
             for each in signal.mappings:
                 yield fmu.variables[each.reference].name, each
-
-
-def _aliases(model: BaseModel) -> list[str]:
-    return [str(field.alias or key) for key, field in type(model).model_fields.items()]
 
 
 def _check(model: FmiIntegration, units: Sequence[Unit]) -> None:
@@ -268,14 +245,15 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
     measured = dict.fromkeys((each.type, each.unit) for each in shown if each.unit and each.type.startswith("Float"))
     has_globals = any(each.has_globals for each in plans)
     is_cpp = any(each.code.is_cpp for each in plans)
+    sizes = [packing(each.shape).struct.size for each in connections.exits]
     sources = tuple(_source(each, is_alone=len(plans) == 1) for each in plans)
     return _FmuPlan(
         model=model, fmu=fmu,
         functions=sources,
         variables=tuple(zip(fmu.variables, layout.variables, strict=True)),
         inputs=tuple(inputs),
-        outputs=tuple(zip(layout.outputs, _sizes(unit), connections.routes, strict=True)),
-        calls=tuple(_calls(unit)) if fmu.clocks is not None else (),
+        outputs=tuple(zip(layout.outputs, sizes, connections.routes, strict=True)),
+        calls=tuple((each.name, is_inside(each, connections)) for each in plans[0].steps if fmu.clocks is not None),
         parameters=layout.parameters, values=layout.values,
         is_single=has_globals, is_copied=not has_globals and not is_cpp, is_cpp=is_cpp,
         languages=tuple(_languages(sources, model, has_bus=fmu.bus is not None)),
@@ -286,11 +264,6 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
         enumerations=tuple(each for each in shown if each.items),
         depends=dependencies(connections, layout),
     )  # fmt: skip
-
-
-def _calls(unit: Unit) -> Iterator[_Call]:
-    for each in unit.connections.members[0].plan.steps:
-        yield _Call(each.name, is_inside(each, unit.connections))
 
 
 def _languages(
@@ -304,10 +277,6 @@ def _languages(
     yield "C99", (*of_fmi, *(each for each in own if each not in cpp))
     if cpp:
         yield "C++17", cpp
-
-
-def _sizes(unit: Unit) -> Iterator[int]:
-    return (packing(each.shape).struct.size for each in unit.connections.exits)
 
 
 def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
@@ -334,21 +303,23 @@ def _inside(path: str, root: tuple[str, ...]) -> str:
 
 
 def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
-    yield _description(plan)
-    yield _file("documentation/index.html", plan)
-    yield _file("documentation/licenses/license.html", plan)
+    template = "modelDescription2.xml" if plan.model.version else "modelDescription.xml"
+    names = plan._asdict()
+    yield _file(template, names)._replace(name="modelDescription.xml")
+    yield _file("documentation/index.html", names)
+    yield _file("documentation/licenses/license.html", names)
     icon = _ICON.read_bytes()
     if plan.model.version:
         yield GeneratedFile("model.png", icon)
     else:
         yield GeneratedFile("terminalsAndIcons/icon.png", icon)
-        yield _file("terminalsAndIcons/terminalsAndIcons.xml", plan)
+        yield _file("terminalsAndIcons/terminalsAndIcons.xml", names)
     if plan.fmu.bus is not None:
-        yield _file("extra/org.fmi-standard.fmi-ls-bus/fmi-ls-manifest.xml", plan)
+        yield _file("extra/org.fmi-standard.fmi-ls-bus/fmi-ls-manifest.xml", names)
     numbers = numbers_of(unit.connections)
     sources: list[GeneratedFile] = [
-        *(() if plan.model.version else (_file("buildDescription.xml", plan),)),
-        _file("sigcat_model.c", plan),
+        *(() if plan.model.version else (_file("buildDescription.xml", names),)),
+        _file("sigcat_model.c", names),
         *all_files(member.plan for member in unit.connections.members),
         *(glue_file(unit.connections, numbers, index) for index in range(len(unit.connections.members))),
         *shipped(_C),
@@ -362,16 +333,11 @@ def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
 def _bus_sources(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     if plan.fmu.bus is None:
         return
-    tables = bus_plan(plan.fmu.bus, unit.layout)
+    tables = bus_plan(plan.fmu.bus, unit.layout)._asdict()
     yield from shipped(_C_BUS)
     for name in ("sigcat_bus_sizes.h", "sigcat_bus_model.c"):
-        yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", **tables._asdict()).encode())
+        yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", double=double, **tables).encode())
 
 
-def _description(plan: _FmuPlan) -> GeneratedFile:
-    template = "modelDescription2.xml" if plan.model.version else "modelDescription.xml"
-    return _file(template, plan)._replace(name="modelDescription.xml")
-
-
-def _file(name: str, plan: "_FmuPlan | _ProjectPlan") -> GeneratedFile:
-    return GeneratedFile(name, rendered(f"adapter/fmi/{name.rpartition('/')[2]}.j2", **plan._asdict()).encode())
+def _file(name: str, names: Mapping[str, Any]) -> GeneratedFile:
+    return GeneratedFile(name, rendered(f"adapter/fmi/{name.rpartition('/')[2]}.j2", **names).encode())

@@ -16,13 +16,6 @@ HOST_HEADER = Path(__file__).with_name("sigcat_host.h")
 """Header of every host, and of the files that bind functions to one."""
 
 
-class _Struct(NamedTuple):
-    """A struct with its fields, each by its name."""
-
-    name: str
-    fields: Sequence[tuple[str, WireType]]
-
-
 class _Kept(NamedTuple):
     """Values that are kept together, by their places."""
 
@@ -33,13 +26,6 @@ class _Kept(NamedTuple):
     """Member that tells whether they are there, if there is one."""
     is_optional: bool
     """Whether they are stored only if they are there."""
-
-
-class _Call(NamedTuple):
-    """A call, and its constant."""
-
-    name: str
-    constant: str
 
 
 class _Answer(NamedTuple):
@@ -64,7 +50,7 @@ class _Served(NamedTuple):
 def glue_file(connections: Connections, numbers: Numbers, index: int) -> GeneratedFile:
     """The file of one function."""
     member = connections.members[index]
-    plan, scope = member.plan, Scope(member.plan)
+    plan = member.plan
     is_global = plan.code.signature == GLOBALS
     end = numbers.first_call(index) + len(plan.steps)
     servers = {connections.entries[entry].receiver: server for entry, server in connections.servers.items()
@@ -83,11 +69,12 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
         ok="SIGCAT_OK",
         # Bytes of the largest value that is sent or kept, or handed over with a request.
         largest=bytes_of_largest(connections, numbers),
-        structs=list(_structs(plan)),
+        structs=dict(_structs(plan)),  # their fields, each by its name
         entries=entries,
         exits=[(number, each) for number, each in enumerate(connections.exits) if each.member == index],
         kept=[_kept(number, each, plan) for number, each in enumerate(numbers.kept) if each.member == index],
-        calls=[_Call(each.name, scope.call(each.name)) for each in plan.steps],
+        m=Scope(plan).macro,  # prefix of the constants of the adapter
+        calls=plan.steps,
         answers=[_answer(each, plan, servers) for each in entries if each.is_answer],
         served=[
             _Served(number, each.named.name, request_struct(each, plan), answer_struct(each, plan))
@@ -102,14 +89,14 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
     return GeneratedFile(f"{member.name}_driver.{plan.code.ending}", text.encode())
 
 
-def _structs(plan: CorePlan) -> Iterator[_Struct]:
+def _structs(plan: CorePlan) -> Iterator[tuple[str, Sequence[tuple[str, WireType]]]]:
     """Structs of the function, and arguments and results of its methods."""
     handed_over = [struct(each, plan) for each in plan.methods for struct in (request_struct, answer_struct)]
     structs = [*plan.structs, *(each for each in handed_over if each.fields)]
     known = {each.name for each in structs}
     for struct in structs:
         fields = [(each.name, WireType(each.c, each.length, is_struct=each.c in known)) for each in struct.fields]
-        yield _Struct(struct.name, fields)
+        yield struct.name, fields
 
 
 def _answer(entry: Entry, plan: CorePlan, servers: Mapping[str, Server]) -> _Answer:

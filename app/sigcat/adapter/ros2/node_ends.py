@@ -1,7 +1,6 @@
 """Topics and services of a node, and what its core has for each of their fields."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
@@ -180,21 +179,6 @@ def _sent_status(topic: StatusTopic, context: NodeContext) -> SentField | None:
         return None
     numbers = _differing(tuple((number, index) for index, number in enumerate(place.numbers)))
     return SentField(place.name, topic.field, place.wire, place.comment, numbers=numbers)
-
-
-class Mixed(NamedTuple):
-    """A message in which a queue is together with other signals: neither can be sent without the other."""
-
-    topic: str
-    signal: str
-
-
-def mixed_queues(context: NodeContext) -> Iterator[Mixed]:
-    """Queues that do not travel alone."""
-    for publisher in publishers(context):
-        for given in publisher.gives if len(publisher.gives) > 1 else ():
-            if given.is_queue:
-                yield Mixed(publisher.topic, given.place)
 
 
 # -- services -----------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """The plan of the packages: every name resolved, so that the writers need nothing else."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -8,7 +9,7 @@ from sigcat.adapter.host.plan import HostPlan
 from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy
-from sigcat.names import camel_case
+from sigcat.names import camel_case, snake_case
 
 
 class InterfaceType(NamedTuple):
@@ -18,6 +19,11 @@ class InterfaceType(NamedTuple):
     kind: str
     """`msg` or `srv`."""
     name: str
+
+    @property
+    def path(self) -> str:
+        """The name in ROS 2: `eco_control_interfaces/msg/Speed`."""
+        return f"{self.package}/{self.kind}/{self.name}"
 
     @property
     def cpp(self) -> str:
@@ -180,6 +186,11 @@ class StructPair(NamedTuple):
     members: tuple[str, ...]
     struct: WireStruct
 
+    @property
+    def names(self) -> Sequence[tuple[str, str]]:
+        """Names of each member in the message and in the core."""
+        return [(name, field.name) for name, field in zip(self.members, self.struct.fields, strict=True)]
+
 
 @dataclass(frozen=True)
 class NodePlan:
@@ -214,6 +225,11 @@ class NodePlan:
         return f"{self.name}_node"
 
     @property
+    def function_stem(self) -> str:
+        """Its function: `core_acc`, what the folder of its code is called by default."""
+        return snake_case(self.core.function)
+
+    @property
     def type(self) -> str:
         """Its class."""
         return f"{camel_case(self.name)}Node"
@@ -231,6 +247,11 @@ class NodePlan:
     def cpp(self, interface: InterfaceType) -> str:
         """The class of a message in the namespace of the package: `msg::Speed`, or `geometry_msgs::msg::Twist`."""
         return f"{interface.kind}::{interface.name}" if self.is_own(interface) else interface.cpp
+
+    def python(self, interface: InterfaceType) -> str:
+        """The class of a message or service in a module of the set: `msg.Speed`, or `geometry_msgs.msg.Twist`."""
+        own = f"{interface.kind}.{interface.name}"
+        return own if self.is_own(interface) else f"{interface.package}.{own}"
 
     def private(self, topic: str) -> str:
         """A topic or service as the node creates it: below its own name, whatever it is started as, if it is the node's."""

@@ -1,10 +1,11 @@
 """The plan of the applications: every name resolved, so that the writers of C++ need nothing else."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
-from sigcat.adapter.core.plan import Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.core.plan import Call, CorePlan, Error, Parameter, Port, WireStruct, WireType
 from sigcat.adapter.host.plan import HostPlan
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
@@ -21,10 +22,19 @@ class Receiver(NamedTuple):
     wire: WireType
     capacity: int
     comment: str
+    wakes: bool = False
+    """Whether it may make a call due."""
     tells_of_rejection: bool = False
     """Whether the core wants to know of messages that end-to-end protection rejects."""
     is_protected: bool = False
     """Whether the model protects the event end to end: what the platform does not check is rejected."""
+
+    @property
+    def argument(self) -> str:
+        """The received `value` for the core, or the copy `taken` of one that is no number."""
+        if not self.wire.is_plain:
+            return "&taken" if self.wire.is_one_struct else "taken"
+        return f"static_cast<{self.wire.c}>(value)" if self.type.startswith("::") else "value"
 
 
 class SentEvent(NamedTuple):
@@ -61,14 +71,44 @@ class SentField(NamedTuple):
         return f"sent_{self.place}_"
 
 
+class Passed(NamedTuple):
+    """An argument or a result: its names in the service interface and in the core, and its type in C++."""
+
+    name: str
+    core: str
+    type: str
+
+    @property
+    def local(self) -> str:
+        """Its name in a function: unlike every local variable and member, whatever its own name is."""
+        return f"argument_{self.name}"
+
+
 class CalledMethod(NamedTuple):
     """A method that the function uses, or offers."""
 
     member: str
-    method: Method
-    arguments: tuple[tuple[str, str], ...]
-    """Names in the service interface and types in C++, in the order of those of the core."""
-    results: tuple[tuple[str, str], ...]
+    name: str
+    """In the core."""
+    output: str
+    """Type of its results in C++, or void."""
+    arguments: tuple[Passed, ...]
+    results: tuple[Passed, ...]
+
+    @property
+    def pending(self) -> str:
+        """The member that waits for an answer."""
+        return f"pending_{self.member}_"
+
+    @property
+    def future(self) -> str:
+        """Return type of the function that calls it."""
+        return f"ara::core::Future<{self.output}>"
+
+    @property
+    def parameters(self) -> str:
+        """Parameters of the function in C++ that answers it."""
+        return ", ".join(f"const {each.type}& {each.local}" for each in self.arguments)
 
 
 _OWN_MEMBERS = {
@@ -80,44 +120,36 @@ _OWN_MEMBERS = {
 _OWN_PREFIXES = ("calls_", "missed_", "monitor_", "pending_", "sent_", "service_", "storage_")
 
 
-def _member(names: ServiceNames) -> str:
-    """The member for a service: unlike those that every adapter has, whatever the service is called."""
-    name = f"{names.variable}_"
-    return f"service_{name}" if name in _OWN_MEMBERS or name.startswith(_OWN_PREFIXES) else name
-
-
 @dataclass(frozen=True)
-class Required:
-    """A service that a component uses."""
+class _Service:
+    """A service of a component."""
 
     name: str
     names: ServiceNames
     port: str
     """Its instance specifier."""
-    receivers: tuple[Receiver, ...]
     methods: tuple[CalledMethod, ...]
 
     @property
     def variable(self) -> str:
-        """The member of the adapter."""
-        return _member(self.names)
+        """The member of the adapter: unlike those that every adapter has, whatever the service is called."""
+        name = f"{self.names.variable}_"
+        return f"service_{name}" if name in _OWN_MEMBERS or name.startswith(_OWN_PREFIXES) else name
 
 
 @dataclass(frozen=True)
-class Provided:
+class Required(_Service):
+    """A service that a component uses."""
+
+    receivers: tuple[Receiver, ...]
+
+
+@dataclass(frozen=True)
+class Provided(_Service):
     """A service that a component offers."""
 
-    name: str
-    names: ServiceNames
-    port: str
     events: tuple[SentEvent, ...]
     fields: tuple[SentField, ...]
-    methods: tuple[CalledMethod, ...]
-
-    @property
-    def variable(self) -> str:
-        """The member of the adapter."""
-        return _member(self.names)
 
     @property
     def type(self) -> str:
@@ -169,10 +201,21 @@ class Stored(NamedTuple):
 class CallThread(NamedTuple):
     """Calls that run one after the other."""
 
+    number: int
     priority: int
     """The highest of its calls."""
     calls: tuple[Call, ...]
     """In the order in which they run if several are due."""
+
+    @property
+    def variable(self) -> str:
+        """The member of the adapter."""
+        return f"calls_{self.number}_"
+
+    @property
+    def about(self) -> str:
+        """Words for readers."""
+        return f"Priority {self.priority}: {', '.join(call.interface for call in self.calls)}"
 
 
 class Joined(NamedTuple):
@@ -189,6 +232,11 @@ class StructPair(NamedTuple):
     type: str
     members: tuple[str, ...]
     struct: WireStruct
+
+    @property
+    def names(self) -> Sequence[tuple[str, str]]:
+        """Names of each member on the platform and in the core."""
+        return [(name, field.name) for name, field in zip(self.members, self.struct.fields, strict=True)]
 
 
 @dataclass(frozen=True)
@@ -245,6 +293,24 @@ class ComponentPlan:
     def is_threaded(self) -> bool:
         """Whether calls may run at the same time: else the thread that finds them due runs them."""
         return len(self.threads) > 1
+
+    def thread_of(self, call: Call) -> CallThread:
+        """The thread of a call."""
+        return next(thread for thread in self.threads if call in thread.calls)
+
+    def watch_of(self, call: Call) -> str:
+        """The member that watches the deadline of a call: that of one call at a time."""
+        return f"watch_{self.thread_of(call).number}_" if self.is_threaded else "watch_"
+
+    @property
+    def watches(self) -> tuple[str, ...]:
+        """Members that watch deadlines."""
+        return tuple(dict.fromkeys(self.watch_of(step) for step in self.core.steps if step.deadline))
+
+    @property
+    def used(self) -> tuple[CalledMethod, ...]:
+        """Methods of other functions."""
+        return tuple(method for service in self.required for method in service.methods)
 
     @property
     def has_offered(self) -> bool:

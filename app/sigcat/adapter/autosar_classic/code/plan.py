@@ -32,6 +32,23 @@ class RteType(NamedTuple):
     def is_number(self) -> bool:
         return not self.is_array and not self.is_struct
 
+    @property
+    def pointed(self) -> str:
+        """The type behind a pointer to it: of an array that of its elements."""
+        return self.element.name if self.element else self.name
+
+    def by_address(self, name: str) -> str:
+        """Argument for a value to write: an array is an address already."""
+        return name if self.is_array else f"&{name}"
+
+    def by_value(self, name: str) -> str:
+        """Argument for a value to read: structs by their address."""
+        return f"&{name}" if self.is_struct else name
+
+    def behind(self, pointer: str) -> str:
+        """The value behind a pointer."""
+        return pointer if self.is_array else f"(*{pointer})"
+
 
 class DataEnd(NamedTuple):
     """A data element of a port, and what the core has for it."""
@@ -191,6 +208,19 @@ class SwcPlan:
         """Ports over which modes come, that of the ECU too."""
         ports = self.component.ports
         return tuple(port for port in ports if port.kind == "ModeSwitch" and port.direction == "Required")
+
+    def outputs(self, call: str) -> tuple[DataEnd, ...]:
+        """Elements that a call provides."""
+        return tuple(end for end in self.sent if end.call == call)
+
+    @property
+    def kept(self) -> tuple[DataEnd, ...]:
+        """Elements that are sent again until the RTE takes them: others would have an old value until they change.
+
+        Each step of a cycle sends its values again.
+        """
+        cyclic = {step.name for step in self.core.steps if step.cycle}
+        return tuple(end for end in self.sent if not end.is_queue and end.call not in cyclic)
 
     def runnable(self, role: str, of: str | None = None) -> Runnable | None:
         """The runnable of a role, of a call or a method."""

@@ -1,7 +1,6 @@
 """CMakeLists.txt: components, their cores and the code of their functions on the test RTE."""
 
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable
 
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
 from sigcat.adapter.templates import rendered
@@ -10,35 +9,24 @@ from sigcat.function.document.text_filters import cmake_argument
 _TEMPLATE = "adapter/autosar_classic/test_rte/CMakeLists.txt.j2"
 
 
-class _Component(NamedTuple):
-    """A component with the code of its function; `setting` is the variable that names the folder of the code."""
-
-    name: str
-    function: str
-    setting: str
-    sources: Sequence[str]
-    folders: Sequence[str]
-    definitions: Sequence[str]
-
-
 def cmake(plan: ClassicPlan) -> str:
     """The whole file."""
     languages = "C CXX" if any(swc.core.code.is_cpp for swc in plan.swcs) else "C"
-    return rendered(_TEMPLATE, name=plan.name, languages=languages, components=[_component(swc) for swc in plan.swcs])
+    return rendered(_TEMPLATE, name=plan.name, languages=languages, swcs=plan.swcs, sources=_sources, folders=_folders)
 
 
-def _component(swc: SwcPlan) -> _Component:
+def _sources(swc: SwcPlan) -> list[str]:
+    """Arguments for the component, its core and the code of its function."""
+    code = swc.core.code
+    own = f"swc/{swc.name}.{code.ending} core/{swc.core.source_file}"
+    return [own, *_within(swc.core.code_setting, code.sources)]
+
+
+def _folders(swc: SwcPlan) -> list[str]:
+    """Arguments for the folders with headers of the code."""
     code, setting = swc.core.code, swc.core.code_setting
     beside = (path.rpartition("/")[0] for path in (*code.sources, *code.headers))
-    folders = dict.fromkeys((*beside, *code.include_folders))
-    return _Component(
-        swc.name,
-        swc.core.function,
-        setting,
-        [f"swc/{swc.name}.{code.ending} core/{swc.core.source_file}", *_within(setting, code.sources)],
-        [f'"${{{setting}}}"', *_within(setting, filter(None, folders))],
-        code.definitions,
-    )
+    return [f'"${{{setting}}}"', *_within(setting, filter(None, dict.fromkeys((*beside, *code.include_folders))))]
 
 
 def _within(setting: str, paths: Iterable[str]) -> list[str]:

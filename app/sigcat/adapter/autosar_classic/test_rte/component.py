@@ -14,13 +14,6 @@ from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import ModeNumber, Port
 
 
-class _Received(NamedTuple):
-    """An element that arrives, with the numbers of the events that it raises."""
-
-    end: DataEnd
-    activated: Sequence[int]
-
-
 class _Change(NamedTuple):
     """The entry of a mode or the exit from it, with the numbers of the events that it raises."""
 
@@ -45,18 +38,6 @@ class _Sent(NamedTuple):
     receivers: Sequence[str]
 
 
-class _Switched(NamedTuple):
-    """A mode that is switched: `<component>_<port>` of those that receive it."""
-
-    receivers: Sequence[str]
-
-
-class _Triggered(NamedTuple):
-    """The numbers of the events that a trigger raises."""
-
-    activated: Sequence[int]
-
-
 class _Calibrated(NamedTuple):
     """A calibration parameter, which is as the document says."""
 
@@ -65,25 +46,25 @@ class _Calibrated(NamedTuple):
 
 
 class _Function(NamedTuple):
-    """A function that runnables call; `kind` decides its body, `of` is what the body needs."""
+    """A function that runnables call; `kind` decides its body, `of` is what the body needs.
+
+    A switched mode needs `<component>_<port>` of those that receive it, a trigger the numbers of its events.
+    """
 
     call: Call
     kind: str
-    of: DataEnd | MethodEnd | _Sent | _Switched | _Triggered | _Calibrated | Service | Request | None = None
+    of: DataEnd | MethodEnd | _Sent | _Calibrated | Service | Request | Sequence[str | int] = ()
 
 
 def component_source(swc: SwcPlan, rte: TestRte) -> Lines:
     """The whole file. A variable of the code may be called as one of these functions calls something: that is renamed."""
-    received = [
-        _Received(end, [*rte.events(swc, "DataReceived", port=end.port, element=end.element)]) for end in swc.received
-    ]
     modes = [_modes(port, swc, rte) for port in swc.required_modes]
     functions = [_function(each, swc, rte) for each in rte.calls(swc)]
     part = c_lines(
         "test_rte/Rte_component.c.j2",
         swc=swc,
         number=rte.index(swc),
-        received=received,
+        rte=rte,
         modes=modes,
         functions=functions,
     )
@@ -111,13 +92,13 @@ def _function(call: Call, swc: SwcPlan, rte: TestRte) -> _Function:
         return _Function(call, call.kind, _Sent(end, [*_receivers(end, swc, rte)]))
     if call.kind == "Switch":
         receivers = [f"{one.swc.name}_{one.port.name}" for one in rte.receivers(swc, call.port)]
-        return _Function(call, call.kind, _Switched(receivers))
+        return _Function(call, call.kind, receivers)
     if call.kind in ("Call", "Result"):
         return _operation(call, swc, rte)
     if call.kind == "IrTrigger":
         raised = rte.events(swc, "InternalTrigger", source=call.runnable, element=call.element)
-        return _Function(call, call.kind, _Triggered([*raised]))
-    return _Function(call, call.kind, _calibrated(call, swc) if call.kind in ("Prm", "CData") else None)
+        return _Function(call, call.kind, [*raised])
+    return _Function(call, call.kind, _calibrated(call, swc) if call.kind in ("Prm", "CData") else ())
 
 
 def _receivers(end: DataEnd, swc: SwcPlan, rte: TestRte) -> Iterator[str]:
@@ -131,11 +112,9 @@ def _operation(call: Call, swc: SwcPlan, rte: TestRte) -> _Function:
     method = next((each for each in swc.requests if (each.port, each.operation) == (call.port, call.element)), None)
     if method is None:
         return _Function(call, "Service", service(call, swc))
-    return (
-        _Function(call, "Result", method)
-        if call.kind == "Result"
-        else _Function(call, "Request", request(method, call, swc, rte))
-    )
+    if call.kind == "Result":
+        return _Function(call, "Result", method)
+    return _Function(call, "Request", request(method, call, swc, rte))
 
 
 def _calibrated(call: Call, swc: SwcPlan) -> _Calibrated:

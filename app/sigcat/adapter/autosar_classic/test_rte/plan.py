@@ -39,8 +39,7 @@ class TestRte:
     def __init__(self, model: ClassicIntegration, plan: ClassicPlan) -> None:
         self.model, self.plan = model, plan
         self.prototypes = {each.name: each.type for each in model.composition.prototypes}
-        by_name = {swc.name: swc for swc in plan.swcs}
-        self._by_name = by_name
+        self._by_name = {swc.name: swc for swc in plan.swcs}
         self.scheduled: Sequence[Scheduled] = [each for task in model.ecu.tasks for each in self._listed(task)]
         self.batches: Mapping[str, Sequence[Scheduled]] = {
             batch.name: tuple(self._listed(batch)) for batch in model.ecu.init_batches
@@ -84,12 +83,12 @@ class TestRte:
         """The port of another function's component that a required port of a component is connected to."""
         for each in self.model.composition.assemblies:
             is_this = self.prototypes[each.requester.component] == swc.name and each.requester.port == port
-            if is_this and any(one.name == self.prototypes[each.provider.component] for one in self.plan.swcs):
+            if is_this and self.prototypes[each.provider.component] in self._by_name:
                 return self._end(each.provider.component, each.provider.port)
         return None
 
     def _end(self, prototype: str, port: str) -> End:
-        swc = next(each for each in self.plan.swcs if each.name == self.prototypes[prototype])
+        swc = self._by_name[self.prototypes[prototype]]
         return End(swc, next(each for each in swc.component.ports if each.name == port))
 
 

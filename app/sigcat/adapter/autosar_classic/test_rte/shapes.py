@@ -1,7 +1,7 @@
 """Shapes of values as tables: the place of each number, and the text before it."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType
@@ -16,15 +16,6 @@ class _Number(NamedTuple):
 
 
 Symbols = tuple[tuple[str, int], ...]
-
-
-class ShapeTable(NamedTuple):
-    """Numbers of a shape, and the text after the last one."""
-
-    name: str
-    type: str
-    numbers: Sequence[_Number]
-    after: str
 
 
 class Shape(NamedTuple):
@@ -68,11 +59,6 @@ class Shape(NamedTuple):
             found += numbers
             text += "," if index < len(type_.members) - 1 else "}"
         return found, text
-
-
-def shape_table(shape: Shape) -> ShapeTable:
-    """The table of a shape."""
-    return ShapeTable(shape.name, shape.type.name, *shape.numbers())
 
 
 def initializer(value: object, type_: RteType) -> str:

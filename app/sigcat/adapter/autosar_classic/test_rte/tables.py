@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
-from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_table
+from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Port
 
@@ -34,11 +34,6 @@ class _Event(NamedTuple):
     is_init: bool
 
 
-class _Inhibition(NamedTuple):
-    name: str
-    events: Sequence[str]
-
-
 class _Switch(NamedTuple):
     """A mode that the state manager of the ECU switches to."""
 
@@ -62,7 +57,7 @@ def tables(rte: TestRte) -> Lines:
     return c_lines(
         "test_rte/rte_tables.c.j2",
         symbols={name: table for each in shapes for name, table in each.tables().items()},
-        shapes=[shape_table(each) for each in shapes],
+        shapes=shapes,
         inputs=[*_inputs(rte)],
         events=[_event(each, rte) for each in rte.scheduled],
         swcs=swcs,
@@ -94,11 +89,9 @@ def _shapes(swc: SwcPlan, rte: TestRte) -> Iterator[Shape]:
 def _answer_type(method: MethodEnd, swc: SwcPlan) -> RteType:
     """Results as one value; of a method without results whether it is done."""
     members = tuple((each.place, each.type) for each in method.results)
-    return (
-        RteType(f"TestRte_Answer_{swc.name}_{method.name}", members=members)
-        if members
-        else RteType("boolean", "boolean")
-    )
+    if not members:
+        return RteType("boolean", "boolean")
+    return RteType(f"TestRte_Answer_{swc.name}_{method.name}", members=members)
 
 
 def _mode_type(port: Port, rte: TestRte) -> tuple[RteType, Mapping[str, Symbols], Symbols]:
@@ -136,10 +129,11 @@ def _event(each: Scheduled, rte: TestRte) -> _Event:
     )  # fmt: skip
 
 
-def _inhibitions(rte: TestRte) -> list[_Inhibition]:
+def _inhibitions(rte: TestRte) -> list[tuple[str, Sequence[str]]]:
+    """Names of inhibitions, and events that they depend on."""
     names = {event.error: event.name for swc in rte.plan.swcs for event in swc.component.diagnostic_events}
     return [
-        _Inhibition(each.name, [names.get(event, event) for event in each.events])
+        (each.name, [names.get(event, event) for event in each.events])
         for swc in rte.plan.swcs for each in swc.component.inhibitions
     ]  # fmt: skip
 

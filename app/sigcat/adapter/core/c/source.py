@@ -6,7 +6,7 @@ from sigcat.adapter.core.c.calls.call_functions import CallPlan, call_plan
 from sigcat.adapter.core.c.calls.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.data.inputs import received_init
 from sigcat.adapter.core.c.data.parameters import ParameterPlan, parameter_plan
-from sigcat.adapter.core.c.errors.errors import error_plan, reaction_plan
+from sigcat.adapter.core.c.errors.errors import activations, error_plan
 from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.life import cleared_members, initial_values
 from sigcat.adapter.core.c.names.scope import Scope
@@ -63,7 +63,7 @@ def _functions(scope: Scope) -> Lines:
         status=STATUS,
         constants=[*dict.fromkeys(each for value in values for each in value.constants)],
         errors=[error_plan(each) for each in plan.errors if each.call],
-        reactions=[reaction_plan(each) for each in plan.reactions],
+        activations=activations,
         received_inits=received,
         initial=initial_values(plan, [*inits, *calls, *terminates], [*received.values()]),
         cleared=cleared_members(plan),

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
 from sigcat.adapter.fmi.variables import Layout, Variable
-from sigcat.adapter.host.connections import Connections
+from sigcat.adapter.host.connections import Connections, Entry, Exit
 from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.mapping import SignalMapping
@@ -83,20 +83,15 @@ def bus_of(connections: Connections, layout: Layout, settings: BusSettings, netw
 def _ends(connections: Connections, layout: Layout, network: Network) -> Iterator[_End]:
     for reference, variable in enumerate(layout.variables):
         if variable.causality == "input":
-            entry = connections.entries[variable.owner]
-            if isinstance(entry.shape, Number):
-                yield from _of(reference, variable, entry.names, network.mapped, is_sent=False)
+            yield from _of(reference, variable, connections.entries[variable.owner], network.mapped)
         elif variable.causality == "output":
-            sent = connections.exits[variable.owner]
-            if isinstance(sent.shape, Number):
-                yield from _of(reference, variable, sent.names, network.outgoing, is_sent=True)
+            yield from _of(reference, variable, connections.exits[variable.owner], network.outgoing)
 
 
-def _of(
-    reference: int, variable: Variable, known: Sequence[str], mapped: Sequence[Mapped | Outgoing], *, is_sent: bool
-) -> Iterator[_End]:
-    for each in mapped:
-        if each.path in known or each.name in known:
+def _of(reference: int, variable: Variable, end: Entry | Exit, mapped: Sequence[Mapped | Outgoing]) -> Iterator[_End]:
+    is_sent = variable.causality == "output"
+    for each in mapped if isinstance(end.shape, Number) else ():
+        if each.path in end.names or each.name in end.names:
             allowed = each.allowed if isinstance(each, Mapped) else frozenset()
             yield _End(reference, variable, each.path, each.datatype, each.mapping, allowed, is_sent)
 
@@ -142,7 +137,8 @@ def _is_used(signal: Any, message: Any, by_signal: Mapping[str, Sequence[_End]])
     """Whether a frame is encoded or decoded with the signal."""
     if any(each.is_sent for found in by_signal.values() for each in found) or by_signal[signal.name]:
         return True
-    return any(by_signal[each.name] for each in message.signals if signal in _multiplexers(each, message))
+    selected = (each for each in message.signals if any(signal == parent for parent, _ in _parents(each, message)))
+    return any(by_signal[each.name] for each in selected)
 
 
 def _finding(text: str, path: str, fix: str) -> Finding:
@@ -192,10 +188,6 @@ def _parents(signal: Any, message: Any) -> Iterator[tuple[Any, Any]]:
         parent = by_name[signal.multiplexer_signal]
         yield parent, signal
         signal = parent
-
-
-def _multiplexers(signal: Any, message: Any) -> list[Any]:
-    return [parent for parent, _ in _parents(signal, message)]
 
 
 def _size(signal: Any) -> int:

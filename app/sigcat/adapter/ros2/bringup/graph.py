@@ -1,62 +1,38 @@
 """Connections in a set, and the order in which its nodes are activated."""
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 
 
-class Edge(NamedTuple):
-    """Topics that lead from one node to another."""
-
-    source: str
-    target: str
-    topics: tuple[str, ...]
-
-
 def publishers_of(workspace: WorkspacePlan) -> Mapping[str, tuple[str, ...]]:
     """Nodes that publish each topic."""
-    found: dict[str, tuple[str, ...]] = {}
-    for node in workspace.nodes:
-        for end in node.publishers:
-            found[end.topic] = (*found.get(end.topic, ()), node.name)
-    return found
+    return _nodes_by_topic((end.topic, node) for node in workspace.nodes for end in node.publishers)
 
 
 def subscribers_of(workspace: WorkspacePlan) -> Mapping[str, tuple[str, ...]]:
     """Nodes that take each topic."""
+    return _nodes_by_topic((end.topic, node) for node in workspace.nodes for end in node.subscriptions)
+
+
+def _nodes_by_topic(ends: Iterable[tuple[str, NodePlan]]) -> Mapping[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
-    for node in workspace.nodes:
-        for end in node.subscriptions:
-            found[end.topic] = (*found.get(end.topic, ()), node.name)
+    for topic, node in ends:
+        found[topic] = (*found.get(topic, ()), node.name)
     return found
-
-
-def edges_of(workspace: WorkspacePlan) -> tuple[Edge, ...]:
-    """Topics and services between nodes of the set."""
-    publishers = publishers_of(workspace)
-    found: dict[tuple[str, str], list[str]] = {}
-    for node in workspace.nodes:
-        for end in node.subscriptions:
-            for source in publishers.get(end.topic, ()):
-                found.setdefault((source, node.name), []).append(end.topic)
-    return tuple(Edge(source, target, tuple(topics)) for (source, target), topics in found.items())
 
 
 def in_order_of_activation(workspace: WorkspacePlan) -> tuple[NodePlan, ...]:
     """Each node after those that it hears; where they hear each other, in the order of the set."""
-    heard: dict[str, set[str]] = {node.name: set() for node in workspace.nodes}
-    for edge in edges_of(workspace):
-        heard[edge.target].add(edge.source)
+    publishers = publishers_of(workspace)
+    heard = {
+        node.name: {source for end in node.subscriptions for source in publishers.get(end.topic, ())} - {node.name}
+        for node in workspace.nodes
+    }
     waiting = list(workspace.nodes)
     ordered: list[NodePlan] = []
     while waiting:
-        first = _first(waiting, heard)
-        waiting.remove(first)
-        ordered.append(first)
+        names = {node.name for node in waiting}
+        ordered.append(next((node for node in waiting if not heard[node.name] & names), waiting[0]))
+        waiting.remove(ordered[-1])
     return tuple(ordered)
-
-
-def _first(waiting: Sequence[NodePlan], heard: Mapping[str, set[str]]) -> NodePlan:
-    names = {node.name for node in waiting}
-    return next((node for node in waiting if not (heard[node.name] - {node.name}) & names), waiting[0])

@@ -1,7 +1,7 @@
 """Parameter files: every parameter of a node with its default, and what a reader should know of it."""
 
 import json
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -9,28 +9,18 @@ from sigcat.function.document.text import Text
 from sigcat.function.document.text_filters import yaml_string
 
 
-class _Entry(NamedTuple):
-    """A parameter, and literals of its default and its limits."""
-
-    of: NodeParameter
-    value: str | None
-    """None if it is a list without elements, which a file of parameters cannot have."""
-    low: str | None
-    high: str | None
-
-
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
-    entries = [_entry(each) for each in node.parameters]
     has_own = node.priority is not None or node.core.is_stored
-    has_values = has_own or any(entry.value is not None for entry in entries)
+    has_values = has_own or any(_value_of(each) is not None for each in node.parameters)
     return rendered(
         "adapter/ros2/bringup/parameters.yaml.j2",
         node=node,
         package=workspace.name,
         schema=schema_name(node),
         has_values=has_values,  # whether there is a value; rcl refuses a key without one
-        entries=entries,
+        value_of=_value_of,
+        dumps=json.dumps,
     )
 
 
@@ -39,11 +29,10 @@ def schema_name(node: NodePlan) -> str:
     return f"{node.name}.schema.json"
 
 
-def _entry(parameter: NodeParameter) -> _Entry:
+def _value_of(parameter: NodeParameter) -> str | None:
+    """The default; None if it is a list without elements, which a file of parameters cannot have."""
     is_empty = isinstance(parameter.default, list | tuple) and not parameter.default
-    value = None if is_empty else _value(parameter.default, parameter.type.removesuffix("_array"))
-    low, high = (None if each is None else json.dumps(each) for each in (parameter.low, parameter.high))
-    return _Entry(parameter, value, low, high)
+    return None if is_empty else _value(parameter.default, parameter.type.removesuffix("_array"))
 
 
 def _value(value: Any, element: str) -> str:

@@ -1,6 +1,6 @@
 """The graph of a set as a Mermaid picture: nodes are round, and their topics are in boxes between them."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
@@ -29,28 +29,18 @@ BEFORE = End(OUTSIDE, "before")
 BEHIND = End(OUTSIDE, "behind")
 
 
-class Drawn(NamedTuple):
-    """An end, with its name in the source of the picture."""
-
-    key: str
-    name: AnyText
-
-
-class Line(NamedTuple):
-    """A link between ends of these keys."""
-
-    sources: Sequence[str]
-    names: Sequence[str]
-    targets: Sequence[str]
-
-
 class Picture(NamedTuple):
-    """Plan of the picture."""
+    """Plan of the picture: its ends with their names in the source of the picture, and its links."""
 
-    outside: Sequence[Drawn]
-    nodes: Sequence[Drawn]
-    topics: Sequence[Line]
-    services: Sequence[Line]
+    outside: Mapping[End, str]
+    nodes: Mapping[End, str]
+    topics: Sequence[Link]
+    services: Sequence[Link]
+
+    @property
+    def names(self) -> Mapping[End, str]:
+        """Names of all ends."""
+        return {**self.nodes, **self.outside}
 
 
 def picture(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Picture:
@@ -59,18 +49,7 @@ def picture(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Pictu
     nodes = {End(node.name): node.stem for node in workspace.nodes}
     ends = (end for link in (*topics, *services) for end in (*link.sources, *link.targets) if end not in nodes)
     outside = {end: f"outside{number}" for number, end in enumerate(dict.fromkeys(ends), 1)}
-    keys = nodes | outside
-    return Picture(_drawn(outside), _drawn(nodes), _lines(topics, keys), _lines(services, keys))
-
-
-def _drawn(ends: Mapping[End, str]) -> Sequence[Drawn]:
-    return [Drawn(key, end.name) for end, key in ends.items()]
-
-
-def _lines(links: Iterable[Link], keys: Mapping[End, str]) -> Sequence[Line]:
-    return [
-        Line([keys[end] for end in each.sources], each.names, [keys[end] for end in each.targets]) for each in links
-    ]
+    return Picture(outside, nodes, topics, services)
 
 
 def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Iterator[Link]:

@@ -1,32 +1,14 @@
 """The page for who builds and runs the packages."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.bringup.picture import OUTSIDE, picture
-from sigcat.adapter.ros2.plan import (
-    Publisher,
-    ReceivedField,
-    SentField,
-    Subscription,
-    WorkspacePlan,
-)
+from sigcat.adapter.ros2.plan import Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text_filters import AnyText
-from sigcat.integration.ros2.model import QualityOfService, Ros2Integration
+from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.integration.ros2.topics import PUBLISHER
-
-
-class _Topic(NamedTuple):
-    name: str
-    type: str
-    sources: Sequence[str]
-    provider: AnyText
-    """The source outside, if there is none in the set."""
-    targets: Sequence[str]
-    quality: QualityOfService
-    fields: Sequence[ReceivedField | SentField]
 
 
 def readme(workspace: WorkspacePlan, model: Ros2Integration) -> str:
@@ -36,7 +18,10 @@ def readme(workspace: WorkspacePlan, model: Ros2Integration) -> str:
         "adapter/ros2/bringup/README.md.j2",
         workspace=workspace,
         picture=picture(workspace, providers),
-        topics=_topics(workspace, providers),
+        topics={end.topic: end for end in _ends(workspace)},
+        publishers=publishers_of(workspace),
+        subscribers=subscribers_of(workspace),
+        provider_of=lambda topic: providers.get(topic, OUTSIDE),  # if no node of the set publishes it
     )
 
 
@@ -52,23 +37,6 @@ def providers_of(model: Ros2Integration) -> Mapping[str, AnyText]:
             if end.role != PUBLISHER and end.provider:
                 found.setdefault(end.topic, end.provider)
     return found
-
-
-def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Iterable[_Topic]:
-    published, heard = publishers_of(workspace), subscribers_of(workspace)
-    found = {}
-    for end in _ends(workspace):
-        name, message = end.topic, end.message
-        found[name] = _Topic(
-            name=name,
-            type=f"{message.package}/{message.kind}/{message.name}",
-            sources=published.get(name, ()),
-            provider=providers.get(name, OUTSIDE),
-            targets=heard.get(name, ()),
-            quality=end.quality,
-            fields=end.gives if isinstance(end, Publisher) else end.takes,
-        )
-    return found.values()
 
 
 def _ends(workspace: WorkspacePlan) -> Iterator[Publisher | Subscription]:

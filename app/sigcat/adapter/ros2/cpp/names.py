@@ -2,8 +2,7 @@
 
 import re
 
-from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.plan import InterfaceType, WorkspacePlan
 
 
 def guard(workspace: WorkspacePlan, stem: str) -> str:
@@ -16,16 +15,6 @@ def header_of(interface: InterfaceType) -> str:
     spread = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", interface.name)
     spread = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", spread)
     return f"{interface.package}/{interface.kind}/{spread.lower()}.hpp"
-
-
-def bridge_source(node: NodePlan) -> str:
-    """File of the core's interface for Python."""
-    return f"{node.core.function}_bridge.{node.core.code.ending}"
-
-
-def scope_of(node: NodePlan) -> Scope:
-    """The names of constants of the core."""
-    return Scope(node.core)
 
 
 def table(place: str) -> str:

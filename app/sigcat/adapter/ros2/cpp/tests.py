@@ -1,18 +1,9 @@
 """Tests of the package, which `colcon test` runs: the life of each node, its parameters, lock-step, what it keeps."""
 
-from typing import NamedTuple
-
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
-
-
-class _Refused(NamedTuple):
-    """A parameter, and a value beyond its range."""
-
-    name: str
-    value: str
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -24,9 +15,8 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         interfaces=workspace.interfaces,
         package=workspace.name,
         node=node,
-        refused=[
-            _refused(each, each.high) for each in node.settable if not each.is_read_only and each.high is not None
-        ],
+        refused=[each for each in node.settable if not each.is_read_only and each.high is not None],
+        beyond=_beyond,
         cycle=min(
             (step.cycle for step in node.core.steps if step.cycle), default=10**7
         ),  # nanoseconds between two steps
@@ -39,11 +29,13 @@ def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     return sorted(headers)
 
 
-def _refused(parameter: NodeParameter, high: float) -> _Refused:
+def _beyond(parameter: NodeParameter) -> str:
+    """A value above the range of a parameter."""
+    assert parameter.high is not None
     if parameter.type != "double":
-        return _Refused(parameter.name, f"int64_t{{{int(high) + 1}}}")
-    beyond = f"{high + 1}"
-    return _Refused(parameter.name, beyond if "." in beyond else f"{beyond}.0")
+        return f"int64_t{{{int(parameter.high) + 1}}}"
+    value = f"{parameter.high + 1}"
+    return value if "." in value else f"{value}.0"
 
 
 def launch_test(workspace: WorkspacePlan) -> str:

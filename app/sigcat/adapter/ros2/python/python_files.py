@@ -10,14 +10,7 @@ from sigcat.adapter.ros2.python.core.module import core_module
 from sigcat.adapter.ros2.python.names import written
 from sigcat.adapter.ros2.python.node.module import node_module
 from sigcat.adapter.ros2.python.package import tests
-from sigcat.adapter.ros2.python.package.description import (
-    core_stem,
-    init_module,
-    package_description,
-    package_name,
-    setup_cfg,
-    setup_py,
-)
+from sigcat.adapter.ros2.python.package.description import core_stem, described, package_description, package_name
 
 SUPPORT = Path(__file__).parent / "support"
 """Modules that are the same in every package."""
@@ -39,10 +32,10 @@ def python_files(workspace: WorkspacePlan) -> tuple[GeneratedFile, ...]:
 def _package(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     name = package_name(workspace)
     yield _text("package.xml", package_description(workspace))
-    yield _module("setup.py", setup_py(workspace))
-    yield _text("setup.cfg", setup_cfg(workspace))
+    yield _module("setup.py", described("setup.py", workspace))
+    yield _text("setup.cfg", described("setup.cfg", workspace))
     yield _text(f"resource/{name}", "")
-    yield _module(f"{name}/__init__.py", init_module(workspace))
+    yield _module(f"{name}/__init__.py", described("__init__.py", workspace))
     yield _text(f"{name}/py.typed", "")
     yield from within(f"{name}/support", _support(workspace))
     for node in workspace.nodes:

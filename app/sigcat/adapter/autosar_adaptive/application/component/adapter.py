@@ -2,28 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.application.component.due_calls import (
-    adapter_calls,
-    adapter_threads,
-    watches,
-)
-from sigcat.adapter.autosar_adaptive.application.component.methods import (
-    error_namespace,
-    offered_methods,
-    refusals,
-    used_methods,
-)
-from sigcat.adapter.autosar_adaptive.application.names import checkpoint, cpp_type, include_guard
-from sigcat.adapter.autosar_adaptive.application.plan import (
-    ApplicationPlan,
-    ComponentPlan,
-    Provided,
-    Receiver,
-    Required,
-)
+from sigcat.adapter.autosar_adaptive.application.names import checkpoint, include_guard
+from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
 from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
 from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.templates import rendered
@@ -31,24 +14,6 @@ from sigcat.function.document.text import composed
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 _ROOM = "adapter/autosar_adaptive/application/component"
-
-
-class _Received(NamedTuple):
-    """A value that a service gives: its type, whether the core needs another form of it, and the argument."""
-
-    receiver: Receiver
-    type: str
-    is_copied: bool
-    argument: str
-    wakes: bool
-    """Whether it may make a call due."""
-
-
-class _Connected(NamedTuple):
-    """A service that is used, and the values that the core takes from it."""
-
-    proxy: str
-    received: Sequence[_Received]
 
 
 def adapter_files(component: ComponentPlan, application: ApplicationPlan) -> tuple[str, str]:
@@ -66,22 +31,17 @@ def adapter_files(component: ComponentPlan, application: ApplicationPlan) -> tup
         guard=include_guard(application, component, "component"),
         about=composed(f"{component.name}{version} on AUTOSAR adaptive: ", core.description),
         headers=sorted(_headers(component)),
-        checkpoints=[checkpoint(each) for each in component.checkpoints],
-        calls=adapter_calls(component),
-        threads=adapter_threads(component),
-        watches=watches(component),
+        checkpoint=checkpoint,
         # Calls that send states again when they end.
         repeating=sorted({each.repeated_by for each in fields if each.repeated_by}),
         has_fields=bool(fields),
         # Whether anything of the core is sent or logged.
         has_out=bool(fields or core.reactions or any(each.events for each in component.provided)),
-        connected=[_connected(each, component) for each in component.required],
         own_storage=f"storage_{ADAPTER_STORAGE}_",
         cycle_key=IGNITION_CYCLE,
-        used=used_methods(component),
-        offered={each.name: offered_methods(each) for each in component.provided},
-        error_namespace=error_namespace(component),
-        errors=refusals(),  # why the core does not answer
+        error_namespace="::".join(("", *component.error_namespace)),  # of the errors of methods
+        errors=METHOD_ERRORS,  # why the core does not answer
+        domain=DOMAIN,
     )
     return render(f"{_ROOM}/adapter.h.j2"), render(f"{_ROOM}/adapter.cpp.j2")
 
@@ -107,18 +67,3 @@ def _headers(component: ComponentPlan) -> Iterator[str]:
     yield from (each.names.proxy_header for each in component.required)
     yield from (each.names.skeleton_header for each in component.provided)
     yield f"core/{component.core.header_file}"
-
-
-def _connected(service: Required, component: ComponentPlan) -> _Connected:
-    return _Connected(service.names.proxy, [_received(each, component) for each in service.receivers])
-
-
-def _received(receiver: Receiver, component: ComponentPlan) -> _Received:
-    wire, type_ = receiver.wire, cpp_type(receiver.type)
-    is_copied, argument = wire.length is not None or wire.is_struct, "value"
-    if is_copied:
-        argument = "taken" if wire.length is not None else "&taken"
-    elif type_.startswith("::"):
-        argument = f"static_cast<{wire.c}>(value)"
-    wakes = any(receiver.function == port.name and port.triggers for port in component.core.ports)
-    return _Received(receiver, type_, is_copied, argument, wakes)

@@ -3,8 +3,10 @@
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from sigcat.adapter.autosar_adaptive.application.names import cpp_type
 from sigcat.adapter.autosar_adaptive.application.plan import (
     CalledMethod,
+    Passed,
     Provided,
     Receiver,
     Required,
@@ -12,7 +14,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     SentField,
 )
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, instance_specifier, member_name
-from sigcat.adapter.core.plan import Port
+from sigcat.adapter.core.plan import Argument, Port
 from sigcat.adapter.host.plan import HostPlan, HostValue
 from sigcat.integration.autosar_adaptive.model import Component, Event, MethodArgument, ServiceField, ServiceInterface
 
@@ -32,32 +34,26 @@ class ComponentContext(NamedTuple):
 def required_services(context: ComponentContext) -> tuple[Required, ...]:
     """Services that the component uses."""
     return tuple(
-        Required(
-            interface.name,
-            context.names[interface.name],
-            instance_specifier(context.component, interface),
-            tuple(_receivers(interface, context)),
-            tuple(_methods(interface, context)),
-        )
-        for interface in context.component.services
-        if interface.role != "Provider"
+        Required(*_common(each, context), tuple(_receivers(each, context)))
+        for each in context.component.services
+        if each.role != "Provider"
     )
 
 
 def provided_services(context: ComponentContext) -> tuple[Provided, ...]:
     """Services that the component offers."""
     return tuple(
-        Provided(
-            interface.name,
-            context.names[interface.name],
-            instance_specifier(context.component, interface),
-            tuple(_sent_events(interface, context)),
-            tuple(_sent_fields(interface, context)),
-            tuple(_methods(interface, context)),
-        )
-        for interface in context.component.services
-        if interface.role == "Provider"
+        Provided(*_common(each, context), tuple(_sent_events(each, context)), tuple(_sent_fields(each, context)))
+        for each in context.component.services
+        if each.role == "Provider"
     )
+
+
+def _common(
+    interface: ServiceInterface, context: ComponentContext
+) -> tuple[str, ServiceNames, str, tuple[CalledMethod, ...]]:
+    port = instance_specifier(context.component, interface)
+    return interface.name, context.names[interface.name], port, tuple(_methods(interface, context))
 
 
 def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterator[Receiver]:
@@ -65,30 +61,27 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
         for event in services.events:
             for value, port in _received(event, context.host):
                 capacity = max(SAMPLES, *(item.queue.length if item.queue else 0 for _, item in port.consumers))
-                type_ = context.types.type(event.datatype)
-                yield Receiver(
-                    member_name(event.name),
-                    value.name,
-                    type_,
-                    value.wire,
-                    capacity,
-                    value.comment,
-                    port.tells_of_rejection,
-                    event.protection is not None,
+                yield _receiver(event, event.datatype, value, capacity, context)._replace(
+                    wakes=bool(port.triggers), tells_of_rejection=port.tells_of_rejection
                 )
         for field in services.fields:
             taken = context.host.received_status(_status_name(field))
             if taken is not None:
-                type_ = context.types.type(field.word)
-                yield Receiver(
-                    member_name(field.name),
-                    taken.name,
-                    type_,
-                    taken.wire,
-                    SAMPLES,
-                    taken.comment,
-                    is_protected=field.protection is not None,
-                )
+                yield _receiver(field, field.word, taken, SAMPLES, context)
+
+
+def _receiver(
+    element: Event | ServiceField, datatype: str, value: HostValue, capacity: int, context: ComponentContext
+) -> Receiver:
+    return Receiver(
+        member_name(element.name),
+        value.name,
+        cpp_type(context.types.type(datatype)),
+        value.wire,
+        capacity,
+        value.comment,
+        is_protected=element.protection is not None,
+    )
 
 
 def _sent_events(interface: ServiceInterface, context: ComponentContext) -> Iterator[SentEvent]:
@@ -135,20 +128,21 @@ def _status_name(field: ServiceField) -> str:
 
 
 def _methods(interface: ServiceInterface, context: ComponentContext) -> Iterator[CalledMethod]:
-    for services in interface.services:
-        for method in services.methods:
-            used = next(
-                (
-                    context.host.methods[use.method.name]
-                    for use in method.uses or ()
-                    if use.method.name in context.host.methods
-                ),
-                None,
-            )
-            if used is not None:
-                arguments, results = _typed(method.inputs, context), _typed(method.outputs, context)
-                yield CalledMethod(member_name(method.name), used, arguments, results)
+    names, known = context.names[interface.name], context.host.methods
+    for method in (method for services in interface.services for method in services.methods):
+        used = next((known[use.method.name] for use in method.uses or () if use.method.name in known), None)
+        if used is not None:
+            member = member_name(method.name)
+            struct = f"::{names.element('proxy', 'methods', member)}::Output"
+            if interface.role == "Provider":
+                struct = f"::{names.skeleton}::{member}Output"
+            arguments = _passed(method.inputs, used.arguments, context)
+            results = _passed(method.outputs, used.results, context)
+            yield CalledMethod(member, used.named.name, struct if results else "void", arguments, results)
 
 
-def _typed(arguments: tuple[MethodArgument, ...] | None, context: ComponentContext) -> tuple[tuple[str, str], ...]:
-    return tuple((each.name, context.types.type(each.datatype)) for each in arguments or ())
+def _passed(
+    listed: tuple[MethodArgument, ...] | None, core: tuple[Argument, ...], context: ComponentContext
+) -> tuple[Passed, ...]:
+    pairs = zip(listed or (), core, strict=True)
+    return tuple(Passed(each.name, own.name, cpp_type(context.types.type(each.datatype))) for each, own in pairs)

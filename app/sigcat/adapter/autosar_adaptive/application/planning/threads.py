@@ -16,8 +16,8 @@ def threads_of(core: CorePlan, joined: Iterable[Joined]) -> tuple[CallThread, ..
         if one.priority == other.priority or frozenset((one.interface, other.interface)) in pairs:
             _join(groups, one, other)
     in_order = [tuple(step for step in core.due if step in group) for group in groups]
-    threads = (CallThread(max(step.priority for step in group), group) for group in in_order)
-    return tuple(sorted(threads, key=lambda thread: -thread.priority))
+    found = sorted(((max(step.priority for step in group), group) for group in in_order), key=lambda each: -each[0])
+    return tuple(CallThread(number, priority, group) for number, (priority, group) in enumerate(found))
 
 
 def joined_calls(core: CorePlan, calls: Iterable[model.Call]) -> tuple[Joined, ...]:

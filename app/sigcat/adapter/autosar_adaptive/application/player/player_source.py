@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.bench.services.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.templates import rendered
-from sigcat.integration.autosar_adaptive.model import IntegrationModel, Method, ServiceField, Symbol, TypeEntry
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, Method, ServiceField, TypeEntry
 
 CPP = Path(__file__).parent / "cpp"
 """Files that are the same in every player."""
@@ -61,13 +61,6 @@ class _Port(NamedTuple):
         return f"Answering{self.names.stem}" if self.methods else f"::{self.names.skeleton}"
 
 
-class _Enumeration(NamedTuple):
-    """An enumeration, whose symbols traces have."""
-
-    type: str
-    symbols: Sequence[Symbol]
-
-
 class _Struct(NamedTuple):
     """A struct, with its members, and the text before the value of each in a trace."""
 
@@ -87,7 +80,7 @@ def ports_source(model: IntegrationModel) -> str:
     return rendered(
         _TEMPLATE,
         headers=_headers(offered, used, entries, types),
-        enumerations=[_Enumeration(cpp_type(types.type(each.name)), each.symbols) for each in entries if each.symbols],
+        enumerations={cpp_type(types.type(each.name)): each.symbols for each in entries if each.symbols},
         structs=[_struct(each, types) for each in entries if each.kind == "structure"],
         offered=offered,
         used=used,

@@ -1,9 +1,13 @@
 """Values of the RTE to values of the core, and back: number by number, since their datatypes are not the same to C."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from sigcat.adapter.autosar_classic.code.plan import RteType
+from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.names import core_object
+from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.adapter.core.plan import CorePlan
 
 
@@ -51,11 +55,14 @@ class Copy(NamedTuple):
         return f"{target}.{own}", f"{source}.{other}"
 
 
-def by_address(type_: RteType, name: str) -> str:
-    """Argument for a value to write: an array is an address already."""
-    return name if type_.is_array else f"&{name}"
-
-
-def by_value(type_: RteType, name: str) -> str:
-    """Argument for a value to read: structs by their address."""
-    return f"&{name}" if type_.is_struct else name
+def component_lines(template: str, swc: SwcPlan, /, **names: Any) -> Lines:
+    """Lines of a part of a component, whose values are copied to its core and from it."""
+    return c_lines(
+        f"code/component/{template}",
+        swc=swc,
+        core=core_object(swc),
+        macro=Scope(swc.core).macro,
+        to_core=Copy(swc.core, to_core=True),
+        from_core=Copy(swc.core, to_core=False),
+        **names,
+    )

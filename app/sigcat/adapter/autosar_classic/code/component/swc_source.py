@@ -1,7 +1,5 @@
 """The source of a software component: runnables that hand over to the core what the RTE has, and back."""
 
-from typing import NamedTuple
-
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.component import publishing, receiving
 from sigcat.adapter.autosar_classic.code.component.runnables import runnable
@@ -13,29 +11,21 @@ from sigcat.adapter.core.plan import GLOBALS
 from sigcat.function.document.text import composed
 
 
-class _Runnable(NamedTuple):
-    """A runnable, as its own template has it, and the memory section that it is in."""
-
-    section: str
-    text: str
-
-
 def swc_source(swc: SwcPlan) -> Lines:
     """The whole file. A variable of the code may be called as one of these functions calls something: that is renamed."""
     version = f" {swc.core.version}" if swc.core.version else ""
-    has_object, kept = swc.core.code.signature != GLOBALS, publishing.kept(swc)
+    has_object = swc.core.code.signature != GLOBALS
     lines = c_lines(
         "code/component/swc.c.j2",
         swc=swc,
         about=composed(f"Software component {swc.name} of {swc.core.function}{version}: ", swc.core.description),
         core=core_object(swc),
-        has_data=bool(has_object or swc.core.steps or kept or swc.mode_out or swc.told),
+        has_data=bool(has_object or swc.core.steps or swc.kept or swc.mode_out or swc.told),
         has_object=has_object,
-        kept=kept,
         data_section=section_of(swc, "VAR_CLEARED", "VAR_CLEARED_UNSPECIFIED"),
         code_section=section_of(swc, "CODE", "CODE"),
         functions="\n\n".join(_text(each) for each in (receiving.functions(swc), publishing.functions(swc))),
-        runnables=[_Runnable(each.section, _text(runnable(each, swc))) for each in swc.component.runnables],
+        runnables=[(each.section, _text(runnable(each, swc))) for each in swc.component.runnables],
     )
     return distinct(swc.core, lines)
 

@@ -26,6 +26,10 @@ class SwcContext:
         interfaces = self.model.sender_receiver_interfaces
         return {(one.name, each.name): each for one in interfaces for each in one.elements}
 
+    def type_of(self, name: str) -> RteType:
+        """The datatype with a name of the document."""
+        return type_of(name, self.model, self.types)
+
     def data(self, direction: str) -> Iterator[tuple[Port, Element, DataElement]]:
         """Data elements that the component requires or provides."""
         for port in self.component.ports:
@@ -56,18 +60,11 @@ def _received(port: Port, element: Element, data: DataElement, use: Use, context
     return _end(port, element, data, use, context, status) if status else None
 
 
-def _end(
-    port: Port,
-    element: Element,
-    data: DataElement,
-    use: Use,
-    context: SwcContext,
-    value: HostValue,
-) -> DataEnd:
+def _end(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext, value: HostValue) -> DataEnd:
     return DataEnd(
         port=port.name,
         element=element.name,
-        type=type_of(data.type, context.model, context.types),
+        type=context.type_of(data.type),
         wire=value.wire,
         place=value.name,
         comment=value.comment,

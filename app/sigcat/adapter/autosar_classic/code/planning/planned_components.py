@@ -8,14 +8,13 @@ from sigcat.adapter.autosar_classic.code.plan import (
     ModeEnd,
     ParameterEnd,
     Reported,
-    RteType,
     SwcPlan,
     Told,
 )
 from sigcat.adapter.autosar_classic.code.planning.disagreements import disagreements
 from sigcat.adapter.autosar_classic.code.planning.ends import SwcContext, received, sent
 from sigcat.adapter.autosar_classic.code.planning.operations import method_ends
-from sigcat.adapter.autosar_classic.code.rte_types import rte_types, type_of
+from sigcat.adapter.autosar_classic.code.rte_types import rte_types
 from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Port
@@ -99,7 +98,7 @@ def _parameters(context: SwcContext) -> Iterator[ParameterEnd]:
     elements = {(one.name, each.name): each for one in context.model.parameter_interfaces for each in one.elements}
     for port in context.component.ports:
         for element in port.elements if port.kind == "Parameter" else ():
-            type_ = _parameter_type(elements[port.interface, element.name].type, context)
+            type_ = context.type_of(elements[port.interface, element.name].type)
             for use in element.uses or ():
                 if use.interface in by_name:
                     function = f"Rte_Prm_{port.name}_{element.name}"
@@ -108,11 +107,7 @@ def _parameters(context: SwcContext) -> Iterator[ParameterEnd]:
         for name in internal.uses:
             if name in by_name:
                 function = f"Rte_CData_{internal.name}"
-                yield ParameterEnd(function, _parameter_type(internal.type, context), by_name[name])
-
-
-def _parameter_type(name: str, context: SwcContext) -> RteType:
-    return type_of(name, context.model, context.types)
+                yield ParameterEnd(function, context.type_of(internal.type), by_name[name])
 
 
 def _called(context: SwcContext, operation: str) -> str:

@@ -26,19 +26,22 @@ class Parameter(NamedTuple):
 class Call(NamedTuple):
     """A function of the RTE."""
 
-    name: str
-    """As runnables call it: `Rte_Read_<port>_<element>`."""
-    result: str
-    parameters: tuple[Parameter, ...]
     kind: str
     """`Read`, `IsUpdated`, `IRead` and so on."""
+    result: str
+    parameters: tuple[Parameter, ...]
     port: str = ""
     element: str = ""
     runnable: str = ""
 
+    @property
+    def name(self) -> str:
+        """The name by which runnables call it: `Rte_Read_<port>_<element>`."""
+        return self.own_name("")
+
     def own_name(self, swc: str) -> str:
         """The name of the function itself, which has the component in it (SWS_Rte, API mapping)."""
-        return self.name.replace(f"Rte_{self.kind}", f"Rte_{self.kind}_{swc}", 1)
+        return "_".join(filter(None, ("Rte", self.kind, swc, self.runnable, self.port, self.element)))
 
     def head(self, swc: str) -> str:
         """Its prototype, without a semicolon."""
@@ -72,31 +75,24 @@ class Apis:
         """Calls of the RTE within the component."""
         component = self.swc.component
         for area in component.exclusive_areas:
-            yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter", element=area.name)
-            yield Call(f"Rte_Exit_{area.name}", "void", (), "Exit", element=area.name)
+            yield Call("Enter", "void", (), element=area.name)
+            yield Call("Exit", "void", (), element=area.name)
         for memory in component.memories:
-            yield Call(
-                f"Rte_Pim_{memory.name}",
-                f"Rte_PimType_{component.name}_{memory.type} *",
-                (),
-                "Pim",
-                element=memory.name,
-            )
+            yield Call("Pim", f"Rte_PimType_{component.name}_{memory.type} *", (), element=memory.name)
         for each in component.parameters:
-            yield Call(f"Rte_CData_{each.name}", _returned(self._type(each.type)), (), "CData", element=each.name)
+            yield Call("CData", _returned(self._type(each.type)), (), element=each.name)
 
     def _of(self, access: Access, runnable: Runnable) -> Iterator[Call]:
-        port, name = access.port or "", f"{access.port}_{access.element}"
+        port = access.port or ""
         if access.kind == "InternalTrigger":
-            trigger = f"Rte_IrTrigger_{runnable.name}_{access.name}"
-            yield Call(trigger, "void", (), "IrTrigger", element=access.name, runnable=runnable.name)
+            yield Call("IrTrigger", "void", (), element=access.name, runnable=runnable.name)
         elif access.kind in ("Mode", "ModeSwitch"):
             type_ = f"Rte_ModeType_{self.groups[self.ports[port].interface]}"
             if access.kind == "Mode":
-                yield Call(f"Rte_Mode_{name}", type_, (), "Mode", port, access.element)
+                yield Call("Mode", type_, (), port, access.element)
             else:
                 mode = (Parameter(f"{type_} mode", "mode"),)
-                yield Call(f"Rte_Switch_{name}", "Std_ReturnType", mode, "Switch", port, access.element)
+                yield Call("Switch", "Std_ReturnType", mode, port, access.element)
         elif access.kind in ("SynchronousCall", "AsynchronousCall", "Result"):
             yield self._operation(access, self.ports[port])
         elif access.kind == "ImplicitRead":
@@ -108,30 +104,26 @@ class Apis:
         return type_of(name, self.model, self.types)
 
     def _data(self, access: Access, port: Port) -> Iterator[Call]:
-        type_, name = self._type(self.data[port.interface, access.element]), f"{port.name}_{access.element}"
-        ends = (port.name, access.element)
+        type_, ends = self._type(self.data[port.interface, access.element]), (port.name, access.element)
         filled = (Parameter(argument(type_, "data", is_out=True), "data"), *_transformer_error(port))
         given = (Parameter(argument(type_, "data", is_out=False), "data"),)
         if access.kind == "Parameter":
-            yield Call(f"Rte_Prm_{name}", _returned(type_), (), "Prm", *ends)
+            yield Call("Prm", _returned(type_), (), *ends)
         elif access.kind == "QueuedReceive":
-            yield Call(f"Rte_Receive_{name}", "Std_ReturnType", filled, "Receive", *ends)
-        elif access.kind == "QueuedSend":
-            yield Call(f"Rte_Send_{name}", "Std_ReturnType", given, "Send", *ends)
-        elif access.kind == "ExplicitWrite":
-            yield Call(f"Rte_Write_{name}", "Std_ReturnType", given, "Write", *ends)
+            yield Call("Receive", "Std_ReturnType", filled, *ends)
+        elif access.kind in ("QueuedSend", "ExplicitWrite"):
+            yield Call("Send" if access.kind == "QueuedSend" else "Write", "Std_ReturnType", given, *ends)
         else:
-            yield Call(f"Rte_Read_{name}", "Std_ReturnType", filled, "Read", *ends)
+            yield Call("Read", "Std_ReturnType", filled, *ends)
             if _element(port, access).update:
-                yield Call(f"Rte_IsUpdated_{name}", "boolean", (), "IsUpdated", *ends)
+                yield Call("IsUpdated", "boolean", (), *ends)
 
     def _implicit(self, access: Access, runnable: Runnable) -> Iterator[Call]:
         port = self.ports[access.port or ""]
-        type_ = self._type(self.data[port.interface, access.element])
-        name = f"{runnable.name}_{port.name}_{access.element}"
-        yield Call(f"Rte_IRead_{name}", _returned(type_), (), "IRead", port.name, access.element, runnable.name)
+        type_, ends = self._type(self.data[port.interface, access.element]), (port.name, access.element, runnable.name)
+        yield Call("IRead", _returned(type_), (), *ends)
         if _element(port, access).never_received:
-            yield Call(f"Rte_IStatus_{name}", "Std_ReturnType", (), "IStatus", port.name, access.element, runnable.name)
+            yield Call("IStatus", "Std_ReturnType", (), *ends)
 
     def _operation(self, access: Access, port: Port) -> Call:
         interface: ClientServerInterface = self.services[port.interface]
@@ -142,8 +134,7 @@ class Apis:
             for each in operation.arguments if each.direction in wanted[access.kind]
         )  # fmt: skip
         kind = "Result" if access.kind == "Result" else "Call"
-        name = f"Rte_{kind}_{port.name}_{access.element}"
-        return Call(name, "Std_ReturnType", parameters, kind, port.name, access.element)
+        return Call(kind, "Std_ReturnType", parameters, port.name, access.element)
 
 
 def _element(port: Port, access: Access) -> Element:
@@ -158,6 +149,4 @@ def _transformer_error(port: Port) -> Iterator[Parameter]:
 
 def _returned(type_: RteType) -> str:
     """Numbers as they are, what is large by its address."""
-    if type_.element is not None:
-        return f"const {type_.element.name} *"
-    return f"const {type_.name} *" if type_.members else type_.name
+    return type_.name if type_.is_number else f"const {type_.pointed} *"

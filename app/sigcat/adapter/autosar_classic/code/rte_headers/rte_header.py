@@ -1,7 +1,6 @@
 """The headers of the contract phase: what the RTE has for a component, before it is generated."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.component.methods import end_of, head
@@ -10,15 +9,7 @@ from sigcat.adapter.autosar_classic.code.rte_headers import literals
 from sigcat.adapter.autosar_classic.code.rte_headers.api import Call
 from sigcat.adapter.autosar_classic.code.rte_types import rte_types
 from sigcat.adapter.core.c.text.lines import Lines
-from sigcat.integration.autosar_classic.model import (
-    ClassicIntegration,
-    Runnable,
-)
-
-
-class _Runnable(NamedTuple):
-    head: str
-    section: str
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Runnable
 
 
 def type_header(model: ClassicIntegration) -> Lines:
@@ -45,7 +36,7 @@ def component_header(swc: SwcPlan, calls: Sequence[Call], model: ClassicIntegrat
     """Rte_<component>.h, the one header of the RTE that the source of a component includes."""
     headers = [*dict.fromkeys(each.header for each in swc.component.memories if each.header)]
     initial = [*literals.initial_values(swc, model, rte_types(model))]
-    runnables = [_Runnable(_head(each, swc), each.section) for each in swc.component.runnables]
+    runnables = [(_head(each, swc), each.section) for each in swc.component.runnables]
     return c_lines(
         "code/rte_headers/Rte_component.h.j2",
         swc=swc,

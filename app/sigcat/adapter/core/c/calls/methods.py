@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.schedule.schedule import runs, statement
-from sigcat.adapter.core.c.values.c_values import Ends, Transfer, transfer
+from sigcat.adapter.core.c.values.c_values import Ends, Transfer, from_variable, to_variable, transfer
 from sigcat.adapter.core.plan import Argument, Method
 
 STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
@@ -65,25 +65,18 @@ def method_plan(method: Method, scope: Scope) -> MethodPlan:
 
 def _received(argument: Argument, method: Method, source: str, scope: Scope) -> ArgumentPlan:
     """An argument of a request, or a result of an answer; a separate function takes it if it is checked."""
-    member = f"given->{argument.name}" if argument.value.is_checked else f"{source}{argument.name}"
-    ends = _ends(argument, method, scope)._replace(source=member, target=argument.variable, put=scope.put)
-    return _plan(argument, method, ends)
+    name, member = _name(argument, method), f"{'given->' if argument.value.is_checked else source}{argument.name}"
+    return _plan(argument, name, to_variable(member, argument.variable, name, method.named.pointer, scope))
 
 
 def _argument_from_code(argument: Argument, method: Method, target: str, scope: Scope) -> ArgumentPlan:
-    member = f"{target}{argument.name}"
-    ends = _ends(argument, method, scope)
-    return _plan(
-        argument,
-        method,
-        ends._replace(source=argument.variable, target=member, is_read=scope.is_cpp, is_from_code=True),
-    )
+    name, member = _name(argument, method), f"{target}{argument.name}"
+    return _plan(argument, name, from_variable(argument.variable, member, name, method.named.pointer, scope))
 
 
-def _ends(argument: Argument, method: Method, scope: Scope) -> Ends:
-    return Ends("", "", scope.prefix, f"{method.named.name}_{argument.name}", method.named.pointer)
+def _name(argument: Argument, method: Method) -> str:
+    return f"{method.named.name}_{argument.name}"
 
 
-def _plan(argument: Argument, method: Method, ends: Ends) -> ArgumentPlan:
-    name = f"{method.named.name}_{argument.name}"
+def _plan(argument: Argument, name: str, ends: Ends) -> ArgumentPlan:
     return ArgumentPlan(name, transfer(argument.value, ends), "self->" in argument.variable)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.c.values.c_values import Ends, Transfer, Way, merged, transfer
+from sigcat.adapter.core.c.values.c_values import Transfer, Way, merged, to_variable, transfer
 from sigcat.adapter.core.c.values.literals import literal
 from sigcat.adapter.core.plan import Call, Input, Leaf, Port
 from sigcat.function.function_json.conversion import IDENTITY
@@ -48,13 +48,12 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
     name, place = f"{call.name}_{item.named.name}", f"self->{call.name}.in.{item.named.name}"
     many = item.places > 1
     value = f"self->received.{item.port}.value"
-    received = Ends(
-        source=f"{place}.values[{place}.queue.first]" if item.queue else value,
-        target=f"{item.variable}[place]" if many else item.variable,
-        prefix=scope.prefix,
-        name=name,
-        pointer=item.named.pointer,
-        put=scope.put,
+    received = to_variable(
+        f"{place}.values[{place}.queue.first]" if item.queue else value,
+        f"{item.variable}[place]" if many else item.variable,
+        name,
+        item.named.pointer,
+        scope,
     )
     ends = received._replace(source=f"{place}.kept[{'place' if many else '0'}]" if item.keeps else value)
     ways = [*_ways(item, place)]

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.c.values.c_values import Ends, Transfer, transfer
+from sigcat.adapter.core.c.values.c_values import Transfer, from_variable, transfer
 from sigcat.adapter.core.plan import Call, Output
 
 
@@ -25,15 +25,8 @@ def output_plan(call: Call, output: Output, scope: Scope) -> OutputPlan:
     """An output, as functions of the adapter give it."""
     name, sent, value = f"{call.name}_{output.named.name}", f"self->out.{output.named.name}", output.value
     queue = output.queue
-    ends = Ends(
-        source=f"{output.variable}[given]" if queue and queue.count_variable else output.variable,
-        target=f"{sent}.values[given]" if queue else sent,
-        prefix=scope.prefix,
-        name=name,
-        pointer=output.named.pointer,
-        is_read=scope.is_cpp,
-        is_from_code=True,
-    )
+    variable = f"{output.variable}[given]" if queue and queue.count_variable else output.variable
+    ends = from_variable(variable, f"{sent}.values[given]" if queue else sent, name, output.named.pointer, scope)
     kinds = {"init" if queue is None else "", "replacement" if value.is_checked and value.is_replaced else ""}
     keeps = any(leaf.element.names is not None for leaf in value.leaves) and not value.is_replaced
     return OutputPlan(output, name, f"self->{call.name}.out.{output.named.name}", transfer(value, ends, kinds), keeps)

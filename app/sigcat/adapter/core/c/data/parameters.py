@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.c.values.c_values import Ends, Transfer, Way, merged, transfer
+from sigcat.adapter.core.c.values.c_values import Transfer, Way, from_variable, merged, to_variable, transfer
 from sigcat.adapter.core.plan import Parameter
 
 
@@ -25,15 +25,8 @@ class ParameterPlan(NamedTuple):
 
 def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
     """A parameter, as functions of the adapter use it."""
-    name, value, wire = parameter.named.name, parameter.value, parameter.value.wire
-    ends = Ends(
-        source=f"self->parameter.{name}.value",
-        target=parameter.variable,
-        prefix=scope.prefix,
-        name=name,
-        pointer=parameter.named.pointer,
-        put=scope.put,
-    )
+    (name, _, pointer), value, wire = parameter.named, parameter.value, parameter.value.wire
+    ends = to_variable(f"self->parameter.{name}.value", parameter.variable, name, pointer, scope)
     checked = transfer(value, ends._replace(source="(*value)" if wire.is_one_struct else "value"))
     origin = f"self->parameter.{name}.origin == "
     ways = [Way(f"{origin}SIGCAT_RECEIVED", "converted"), Way("", "init")]
@@ -46,19 +39,13 @@ def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
         checked=checked,
         written=written,
         ways=merged(ways, written),
-        learned=_learned(parameter, ends, scope),
+        learned=_learned(parameter, scope),
     )
 
 
-def _learned(parameter: Parameter, ends: Ends, scope: Scope) -> Transfer | None:
+def _learned(parameter: Parameter, scope: Scope) -> Transfer | None:
     if parameter.learned is None:
         return None
-    back = ends._replace(
-        source=parameter.variable,
-        target=f"self->stored.{parameter.named.name}.value",
-        name=f"{ends.name}_Learned",
-        put="",
-        is_read=scope.is_cpp,
-        is_from_code=True,
-    )
-    return transfer(parameter.learned, back)
+    name, _, pointer = parameter.named
+    target = f"self->stored.{name}.value"
+    return transfer(parameter.learned, from_variable(parameter.variable, target, f"{name}_Learned", pointer, scope))

@@ -17,20 +17,6 @@ class ErrorPlan(NamedTuple):
     heals: str
 
 
-class Activation(NamedTuple):
-    """The condition that activates a reaction, of one call if there is a time-out."""
-
-    call: str
-    any_of: str
-
-
-class ReactionPlan(NamedTuple):
-    """A safety reaction. With a time-out each call checks by itself, as its clocks start by themselves."""
-
-    reaction: Reaction
-    conditions: Sequence[Activation]
-
-
 def error_plan(error: Error) -> ErrorPlan:
     """An error, as it is evaluated."""
     verdicts = [_verdict(cause) for cause in error.causes] + _tested(error)
@@ -65,10 +51,11 @@ def _any_failed(own: tuple[str, ...], foreign: tuple[str, ...]) -> str:
     return " || ".join(conditions)
 
 
-def reaction_plan(reaction: Reaction) -> ReactionPlan:
-    """A reaction, as it is evaluated."""
+def activations(reaction: Reaction) -> list[tuple[str, str]]:
+    """Conditions that activate a reaction, by call: with a time-out each call checks by itself, as its clocks start by
+    themselves; without one there is one condition of no call."""
     calls = reaction.calls if reaction.time_out is not None else ("",) if reaction.calls else ()
-    return ReactionPlan(reaction, [Activation(call, _condition(reaction, call)) for call in calls])
+    return [(call, _condition(reaction, call)) for call in calls]
 
 
 def _condition(reaction: Reaction, call: str) -> str:

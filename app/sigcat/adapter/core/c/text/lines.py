@@ -43,7 +43,12 @@ def replaced(pattern: str, by: str, part: Lines) -> Lines:
 
 def c_file(name: str, part: Lines) -> GeneratedFile:
     """A file, with long lines broken."""
-    return GeneratedFile(name, ("\n".join(line.text for line in wrapped(part)) + "\n").encode())
+    return file_of(name, wrapped(part))
+
+
+def file_of(name: str, part: Lines) -> GeneratedFile:
+    """A file with these lines."""
+    return GeneratedFile(name, ("\n".join(line.text for line in part) + "\n").encode())
 
 
 def wrapped(part: Lines) -> Lines:

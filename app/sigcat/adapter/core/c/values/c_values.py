@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.values.conversions import converted, is_beyond_float, limits, scaling, within
 from sigcat.adapter.core.c.values.literals import literal
 from sigcat.adapter.core.numbers import Number
@@ -38,6 +39,16 @@ class Ends(NamedTuple):
     def constant(self, kind: str, leaf: int) -> str:
         """Name of a constant: `CORE_ACC_ADAPTER_FACTOR_Step_SpdLim`; of a later leaf with its number behind the kind."""
         return f"{screaming_snake_case(self.prefix)}_{kind}{leaf or ''}_{self.name}"
+
+
+def to_variable(source: str, variable: str, name: str, pointer: Pointer, scope: Scope) -> Ends:
+    """The ends of a value that a variable of the code gets."""
+    return Ends(source, variable, scope.prefix, name, pointer, put=scope.put)
+
+
+def from_variable(variable: str, target: str, name: str, pointer: Pointer, scope: Scope) -> Ends:
+    """The ends of a value that a variable of the code has."""
+    return Ends(variable, target, scope.prefix, name, pointer, is_read=scope.is_cpp, is_from_code=True)
 
 
 class Part(NamedTuple):

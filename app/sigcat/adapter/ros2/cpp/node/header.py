@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.ros2.cpp.names import guard, header_of
-from sigcat.adapter.ros2.cpp.node.node_calls import node_calls
+from sigcat.adapter.ros2.cpp.node.node_calls import stems_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -20,7 +20,7 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         package=workspace.name,
         interfaces=workspace.interfaces,
         has_messages=has_messages(node, node.publishers),
-        calls=node_calls(node),
+        stems=stems_of(node),  # of the names that it has for calls
         has_taken_callback=workspace.release != "humble",
         has_deadline=node.core.has_deadline,
         has_bond=workspace.has_bond,

@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan
 from sigcat.function.document.text_filters import c_string
 
@@ -23,50 +22,22 @@ class Range(NamedTuple):
     high: str
 
 
-class Declared(NamedTuple):
-    """A parameter of the node, with its type, default and limits in C++."""
-
-    of: NodeParameter
-    place: str
-    """Its name in the core."""
-    type: str
-    default: str
-    range: Range | None
-    """The range of its descriptor; None if it has no limits."""
-    limits: Range
+def limits_of(parameter: NodeParameter) -> Range:
     """Limits of which a refusal tells: those of every number where it has none."""
-    getter: str
-    table: str
-    """Texts of an enumeration; empty if its value is not text."""
+    low, high = parameter.low, parameter.high
+    return Range(_double(-math.inf if low is None else low), _double(math.inf if high is None else high))
 
 
-def declared(parameter: NodeParameter) -> Declared:
-    """The parameter, as C++ declares it."""
-    low, high = (
-        (-math.inf if parameter.low is None else parameter.low),
-        (math.inf if parameter.high is None else parameter.high),
-    )
-    place = parameter.parameter.named.name
-    return Declared(
-        parameter,
-        place,
-        _cpp_type(parameter),
-        _default(parameter),
-        None if parameter.low is None and parameter.high is None else _range(parameter),
-        Range(_double(low), _double(high)),
-        AS[parameter.type],
-        table(place) if parameter.symbols else "",
-    )
-
-
-def _cpp_type(parameter: NodeParameter) -> str:
+def cpp_type(parameter: NodeParameter) -> str:
     """Type of a parameter as the node has it."""
     element = _CPP[parameter.type.removesuffix("_array")]
     return f"std::vector<{element}>" if parameter.type.endswith("_array") else element
 
 
-def _range(parameter: NodeParameter) -> Range:
-    """Limits of its type, where it has none."""
+def range_of(parameter: NodeParameter) -> Range | None:
+    """The range of its descriptor, with a limit of its type where it has none; None if it has no limits."""
+    if parameter.low is None and parameter.high is None:
+        return None
     element = "double" if parameter.type == "double" else "int64_t"
     least = "lowest" if element == "double" else "min"
     low, high = (None if each is None else _limit(each, element) for each in (parameter.low, parameter.high))
@@ -77,12 +48,12 @@ def _limit(value: float, element: str) -> str:
     return _double(value) if element == "double" else f"int64_t{{{round(value)}}}"
 
 
-def _default(parameter: NodeParameter) -> str:
+def default_of(parameter: NodeParameter) -> str:
     """The default as an expression of its type."""
     element = parameter.type.removesuffix("_array")
     if parameter.type.endswith("_array"):
         values = ", ".join(_value(each, element) for each in parameter.default)
-        return f"{_cpp_type(parameter)}{{{values}}}"
+        return f"{cpp_type(parameter)}{{{values}}}"
     return _value(parameter.default, element)
 
 

@@ -1,14 +1,15 @@
 """The source of a node."""
 
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.adapter.ros2.cpp.names import header_of, scope_of
-from sigcat.adapter.ros2.cpp.node.connections import advertised, subscribed
+from sigcat.adapter.ros2.cpp.names import header_of, table
+from sigcat.adapter.ros2.cpp.node.connections import duration, unnamed
 from sigcat.adapter.ros2.cpp.node.header import has_messages
-from sigcat.adapter.ros2.cpp.node.node_calls import node_calls
-from sigcat.adapter.ros2.cpp.node.parameters import declared, unset
-from sigcat.adapter.ros2.cpp.node.sending import messages_of
-from sigcat.adapter.ros2.cpp.node.stored import learned_parameters
-from sigcat.adapter.ros2.cpp.node.tables import symbol_tables
+from sigcat.adapter.ros2.cpp.node.node_calls import stems_of
+from sigcat.adapter.ros2.cpp.node.parameters import AS, cpp_type, default_of, limits_of, range_of, unset
+from sigcat.adapter.ros2.cpp.node.sending import active, literal
+from sigcat.adapter.ros2.cpp.node.stored import learned_places
+from sigcat.adapter.ros2.cpp.node.tables import symbols_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -27,23 +28,27 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         has_new_messages=has_messages(node, node.subscriptions) and not has_messages(node, node.publishers),
         type=node.type,
         core=node.core.type_name,  # the type of the core, with which names of its functions and types begin
-        macro=scope_of(node).macro,  # names of its constants begin with it
+        macro=Scope(node.core).macro,  # names of its constants begin with it
         # Whether a process can have one node of it: the code has its data in global variables.
         is_once=node.core.code.signature == GLOBALS,
         has_bond=workspace.has_bond,
         has_deadline=node.core.has_deadline,
-        calls=node_calls(node),
-        tables=symbol_tables(node),
-        learned=learned_parameters(node),
-        parameters=[declared(each) for each in node.parameters],
-        # All that the core's SetParameters takes; others only start with a value.
-        settable=[declared(each) for each in node.settable],
+        stems=stems_of(node),  # of the names that it has for calls
+        table=table,
+        symbols=symbols_of(node),
+        learned=learned_places(node),
+        cpp_type=cpp_type,
+        default_of=default_of,
+        range_of=range_of,
+        limits_of=limits_of,
+        getters=AS,
         unset=unset(node) if node.settable else (),
         # Whether the release tells when all have accepted: others may refuse what this node does not.
         has_taken_callback=workspace.release != "humble",
-        publishers=advertised(node),
-        subscriptions=subscribed(node),
-        messages=messages_of(node),
+        duration=duration,
+        unnamed=unnamed,
+        literal=literal,
+        active=active,
         has_stamp=any(each.stamp for each in node.publishers),
         # Places of the core for which diagnostics are sent at once.
         statuses=[given.place for each in node.publishers if each.is_status for given in each.gives],

@@ -1,53 +1,22 @@
 """Stored values: learned parameters, beside the counts of errors."""
 
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
 
-from sigcat.adapter.core.plan import CorePlan, Parameter
+from sigcat.adapter.core.plan import WireStruct
 from sigcat.adapter.ros2.plan import NodePlan
 
 
-class StoredLeaf(NamedTuple):
-    """A number of a learned parameter, or an array of numbers: its key, and where it is in the value."""
-
-    key: str
-    place: str
-
-
-class Learned(NamedTuple):
-    """A learned parameter: read at the start, written at the end. Calibration is never written."""
-
-    name: str
-    leaves: Sequence[StoredLeaf]
-
-    @property
-    def is_split(self) -> bool:
-        """Whether it has several lines in the file."""
-        return len(self.leaves) > 1
+def learned_places(node: NodePlan) -> Mapping[str, Sequence[str]]:
+    """Places of the numbers, and of the arrays of numbers, in each learned parameter: each is a line of the file."""
+    structs = {each.name: each for each in node.core.structs}
+    wires = {each.named.name: each.value.wire for each in node.core.learned}
+    return {name: [*_places(wire.c, wire.length, structs)] for name, wire in wires.items()}
 
 
-def learned_parameters(node: NodePlan) -> Sequence[Learned]:
-    """All of them."""
-    return [Learned(each.named.name, _leaves(each, node)) for each in node.core.learned]
-
-
-def _leaves(parameter: Parameter, node: NodePlan) -> tuple[StoredLeaf, ...]:
-    """The lines of a parameter in the file: one for each number or array of numbers."""
-    wire, key = parameter.value.wire, node.host.stored_keys[parameter.variable]
-    if not wire.is_struct:
-        return (StoredLeaf(key, ""),)
-    indexes = [""] if wire.length is None else [f"[{i}]" for i in range(wire.length)]
-    return tuple(
-        StoredLeaf(f"{key}{index}{path}", f"{index}{path}") for index in indexes for path in _paths(wire.c, node.core)
-    )
-
-
-def _paths(struct: str, core: CorePlan) -> Iterator[str]:
-    known = {each.name: each for each in core.structs}
-    for field in known[struct].fields:
-        if field.c not in known:
-            yield f".{field.name}"
-            continue
-        indexes = [""] if field.length is None else [f"[{i}]" for i in range(field.length)]
-        for index in indexes:
-            yield from (f".{field.name}{index}{rest}" for rest in _paths(field.c, core))
+def _places(c: str, length: int | None, structs: Mapping[str, WireStruct]) -> Iterator[str]:
+    if c not in structs:
+        yield ""
+        return
+    for index in [""] if length is None else [f"[{i}]" for i in range(length)]:
+        for field in structs[c].fields:
+            yield from (f"{index}.{field.name}{rest}" for rest in _places(field.c, field.length, structs))

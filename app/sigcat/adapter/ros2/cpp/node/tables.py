@@ -1,22 +1,13 @@
 """Tables of enumerations whose fields are texts."""
 
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
 
-from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodePlan, Symbol
 
 
-class SymbolTable(NamedTuple):
-    """Texts of a place of the core, with their numbers."""
-
-    name: str
-    symbols: Sequence[Symbol]
-
-
-def symbol_tables(node: NodePlan) -> Sequence[SymbolTable]:
-    """A table for each place of the core whose field or parameter is text."""
-    return [SymbolTable(table(place), symbols) for place, symbols in dict(_texts(node)).items()]
+def symbols_of(node: NodePlan) -> Mapping[str, Sequence[Symbol]]:
+    """Texts with their numbers, for each place of the core whose field or parameter is text."""
+    return dict(_texts(node))
 
 
 def _texts(node: NodePlan) -> Iterator[tuple[str, Sequence[Symbol]]]:

@@ -4,8 +4,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.plan import CorePlan, Method, WireType
-from sigcat.adapter.host.plan import received_values, sent_values
+from sigcat.adapter.core.plan import CorePlan, Method
+from sigcat.adapter.host.plan import HostValue, received_values, sent_values
 from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
@@ -13,43 +13,15 @@ from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
 
 
-class _Sent(NamedTuple):
-    """A value that is sent: its names in Python and in the library, and its type."""
+class Names(NamedTuple):
+    """Names in Python by those of the library."""
 
-    member: str
-    name: str
-    type: str
-    comment: str
-    is_queue: bool
-    is_plain: bool
-    """Whether it is one number."""
-
-
-class _Published(NamedTuple):
-    """A flag that a value is to be sent: its names in Python and in the library."""
-
-    member: str
-    name: str
-
-
-class _Received(NamedTuple):
-    """A value that the core takes: its name in the library, and the method that takes it."""
-
-    name: str
-    receiver: str
-    wire: WireType
-    type: str
-    comment: str
-
-
-class _Method(NamedTuple):
-    """A method of the function: its names in Python and in the library."""
-
-    member: str
-    of: Method
-    comment: str
-    arguments: Mapping[str, str]
-    """Arguments in Python by their names in the library."""
+    receivers: Mapping[str, str]
+    """Methods that take values."""
+    members: Mapping[str, str]
+    """Members of sent values."""
+    methods: Mapping[str, str]
+    """Methods of the function, as a part of names."""
 
 
 def core_type(core: CorePlan) -> str:
@@ -57,31 +29,22 @@ def core_type(core: CorePlan) -> str:
     return f"{class_name(core.function)}Core"
 
 
-def receivers(core: CorePlan) -> dict[str, str]:
-    """Methods that take values, by their names in the library."""
-    names = python_names(each.name for each in received_values(core))
-    return {name: f"receive_{each}" for name, each in names.items()}
+def names_of(core: CorePlan) -> Names:
+    """The names of a core."""
+    taken = python_names(each.name for each in received_values(core))
+    receivers = {name: f"receive_{each}" for name, each in taken.items()}
+    methods = python_names(each.named.name for each in core.methods)
+    return Names(receivers, python_names(publish_names(core)), methods)
 
 
-def method_names(core: CorePlan) -> dict[str, str]:
-    """Methods of the function, as a part of names in Python."""
-    return python_names(each.named.name for each in core.methods)
-
-
-def members(core: CorePlan) -> dict[str, str]:
-    """Members of sent values, by their names in the library."""
-    return python_names(publish_names(core))
-
-
-def argument_names(method: Method, *, is_request: bool) -> dict[str, str]:
-    """Arguments or results of a method, as Python has them."""
-    return python_names(each.name for each in (method.arguments if is_request else method.results))
+def argument_names(method: Method) -> dict[str, str]:
+    """Arguments of a method in Python by their names in the library."""
+    return python_names(each.name for each in method.arguments)
 
 
 def core_module(node: NodePlan) -> str:
     """The whole module."""
     core = node.core
-    names, methods = members(core), method_names(core)
     own = ["Core", *(["Call"] if core.steps else []), *(["Error"] if core.errors else [])]
     return rendered(
         "adapter/ros2/python/core/core.py.j2",
@@ -104,15 +67,19 @@ def core_module(node: NodePlan) -> str:
         monitors=node.monitors,
         # Stored parameters with their keys.
         learned=[(each.named.name, node.host.stored_keys[each.variable]) for each in core.learned],
-        received=_received(core),
-        methods=[_method(each, methods) for each in core.methods],
-        out=_sent(core),
-        publish=[_Published(names[each], each) for each in publish_names(core)],
+        names=names_of(core),
+        received=list(received_values(core)),
+        received_type=_received_type,
+        methods=core.methods,
+        argument_names=argument_names,
+        out=list(sent_values(core)),
+        sent_type=_sent_type,
+        publish=publish_names(core),
     )
 
 
 def _typing_imports(core: CorePlan) -> Sequence[Import]:
-    types = [*(each.type for each in _received(core)), *(each.type for each in _sent(core))]
+    types = [*map(_received_type, received_values(core)), *map(_sent_type, sent_values(core))]
     types += ["Tuple[int, Dict[str, Any]]"] if core.methods else []
     types += ["Mapping[str, Any]"] if core.requests else []
     types += ["NamedTuple"] if core.published else []
@@ -120,34 +87,9 @@ def _typing_imports(core: CorePlan) -> Sequence[Import]:
     return imports([("typing", used)]) if used else ()
 
 
-def _received(core: CorePlan) -> Sequence[_Received]:
-    names = receivers(core)
-    return [
-        _Received(each.name, names[each.name], each.wire, typed(each.wire, is_sequence=True), each.comment)
-        for each in received_values(core)
-    ]
+def _received_type(value: HostValue) -> str:
+    return typed(value.wire, is_sequence=True)
 
 
-def _sent(core: CorePlan) -> Sequence[_Sent]:
-    names = members(core)
-    return [
-        _Sent(
-            names[each.name],
-            each.name,
-            f"List[{typed(each.wire)}]" if each.is_queue else typed(each.wire),
-            each.comment,
-            each.is_queue,
-            is_plain=each.wire.is_plain,
-        )
-        for each in sent_values(core)
-    ]
-
-
-def _method(method: Method, names: Mapping[str, str]) -> _Method:
-    named = method.named
-    return _Method(
-        names[named.name],
-        method,
-        named.comment or named.name,
-        argument_names(method, is_request=True),
-    )
+def _sent_type(value: HostValue) -> str:
+    return f"List[{typed(value.wire)}]" if value.is_queue else typed(value.wire)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import WireType
-from sigcat.adapter.ros2.plan import ArgumentField, InterfaceType, NodePlan, ReceivedField, SentField, StructPair
+from sigcat.adapter.ros2.plan import ArgumentField, NodePlan, ReceivedField, SentField, StructPair
 from sigcat.function.document.text_filters import python_string
 from sigcat.names import snake_case
 
@@ -33,21 +33,6 @@ class Field(NamedTuple):
     for_message: Conversion
 
 
-class Struct(NamedTuple):
-    """A struct of a message, and functions that begin with its stem."""
-
-    stem: str
-    name: str
-    type: str
-    fields: Sequence[Field]
-
-
-def class_of(interface: InterfaceType, node: NodePlan) -> str:
-    """A message or service: `msg.Speed`, or `geometry_msgs.msg.Twist`."""
-    own = f"{interface.kind}.{interface.name}"
-    return own if node.is_own(interface) else f"{interface.package}.{own}"
-
-
 def for_core(taken: ReceivedField, node: NodePlan) -> Conversion:
     """The conversion of a field of a message."""
     is_each = taken.wire.length is not None
@@ -70,26 +55,26 @@ def for_message(given: SentField, node: NodePlan) -> Conversion:
     return _wire_for_message(given.wire, node)
 
 
-def struct_of(pair: StructPair, node: NodePlan) -> Struct:
-    """A struct that a message and the core have."""
+def struct_fields(pair: StructPair, node: NodePlan) -> Sequence[Field]:
+    """Members of a struct that a message and the core have."""
     structs = {each.struct.name for each in node.structs}
-    fields = [
+    return [
         _field(name, member.name, WireType(member.c, member.length, is_struct=member.c in structs), node)
         for name, member in zip(pair.members, pair.struct.fields, strict=True)
     ]
-    return Struct(_stem(pair), pair.message.name, class_of(pair.message, node), fields)
+
+
+def struct_stem(pair: StructPair) -> str:
+    """Beginning of the names of functions that convert a struct."""
+    return snake_case(pair.message.name)
 
 
 def _field(name: str, core: str, wire: WireType, node: NodePlan) -> Field:
     return Field(name, core, _wire_for_core(wire, node), _wire_for_message(wire, node))
 
 
-def _stem(pair: StructPair) -> str:
-    return snake_case(pair.message.name)
-
-
 def _stem_of(wire: WireType, node: NodePlan) -> str:
-    return next(_stem(pair) for pair in node.structs if pair.struct.name == wire.c)
+    return next(struct_stem(pair) for pair in node.structs if pair.struct.name == wire.c)
 
 
 def _wire_for_core(wire: WireType, node: NodePlan) -> Conversion:

@@ -3,7 +3,6 @@
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.names import snake_case
 
 _DEPENDENCIES = (
     "ament_index_python", "builtin_interfaces", "diagnostic_msgs", "python3-cffi", "rcl_interfaces", "rclpy",
@@ -18,7 +17,7 @@ def package_name(workspace: WorkspacePlan) -> str:
 
 def core_stem(node: NodePlan) -> str:
     """Module of a core: `core_acc_core`."""
-    return f"{snake_case(node.core.function)}_core"
+    return f"{node.function_stem}_core"
 
 
 def package_description(workspace: WorkspacePlan) -> str:
@@ -30,22 +29,11 @@ def package_description(workspace: WorkspacePlan) -> str:
     return package_xml(workspace.package, package_name(workspace), [*needed, *tested], "ament_python")
 
 
-def setup_py(workspace: WorkspacePlan) -> str:
-    """setup.py, with an executable for each node."""
-    return _described("setup.py", workspace)
+def described(name: str, workspace: WorkspacePlan) -> str:
+    """A file with this name: setup.py, with an executable for each node; setup.cfg; or the description of the package.
 
-
-def setup_cfg(workspace: WorkspacePlan) -> str:
-    """setup.cfg: executables stand where `ros2 run` looks for them."""
-    return _described("setup.cfg", workspace)
-
-
-def init_module(workspace: WorkspacePlan) -> str:
-    """Description of the package."""
-    return _described("__init__.py", workspace)
-
-
-def _described(name: str, workspace: WorkspacePlan) -> str:
+    setup.cfg has executables where `ros2 run` looks for them.
+    """
     return rendered(
         f"adapter/ros2/python/package/{name}.j2",
         name=package_name(workspace),
