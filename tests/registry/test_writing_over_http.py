@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 import sqlite3
 import threading
 from collections.abc import Mapping
@@ -323,6 +324,18 @@ def test_where_reading_needs_a_token_one_of_the_registry_reads_the_registry(tmp_
     headers = service.token("reader", "read")
     assert service.ask(API, headers=headers).status_code == 200
     problem(service.ask("/api/v1/catalogues", headers=headers), 401)
+
+
+def reading_operations() -> list[str]:
+    """Paths of the operations that read the registry, each parameter with a value."""
+    paths = [path for path, operations in DOCUMENT["paths"].items() if path.startswith(API) and "get" in operations]
+    return sorted(re.sub(r"{\w+}", "functions" if "{group}" in path else "x", path) for path in paths)
+
+
+@pytest.mark.parametrize("path", reading_operations())
+def test_where_reading_needs_a_token_no_operation_reads_the_registry_without(path: str, tmp_path: Path) -> None:
+    service = Service(tmp_path, Settings(reading="token"))
+    problem(service.ask(path), 401)
 
 
 # -- databases that cannot be written -----------------------------------------------------------------------------

@@ -4,7 +4,7 @@ import re
 from html import unescape
 from io import BytesIO
 from urllib.parse import parse_qs
-from zipfile import ZipFile
+from zipfile import ZIP_DEFLATED, ZipFile
 
 import pytest
 
@@ -115,7 +115,9 @@ def test_all_files_of_a_platform_are_one_archive(site: Ask, tab: str) -> None:
     (address,) = re.findall(r'href="(/functions/core_acc/files/[^"]+zip)"', page)
     kept = site(address)
     assert kept.headers["content-disposition"].endswith(f"CoreAcc.{tab}.zip")
-    names = ZipFile(BytesIO(kept.content)).namelist()
+    entries = ZipFile(BytesIO(kept.content)).infolist()
+    names = [entry.filename for entry in entries]
+    assert {entry.compress_type for entry in entries} == {ZIP_DEFLATED}
     listed = re.findall(r'href="/functions/core_acc\?view=([^"]+)"', page[page.index('aria-label="Files"') :])
     assert len(names) == len(set(names)) == len(set(listed))
     assert site(address).content == kept.content

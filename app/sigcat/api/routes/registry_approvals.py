@@ -28,7 +28,7 @@ Content = Annotated[
 ]
 
 
-@router.get("/pending", **reads(schemas.RegistryPendingList, 404))
+@router.get("/pending", dependencies=[Reader], **reads(schemas.RegistryPendingList, 404))
 def list_pending_versions(request: Request, registry: TheRegistry) -> Response:
     """Versions that wait for approvals, with the decisions about their content."""
     from sigcat.api.answers import registry_answers

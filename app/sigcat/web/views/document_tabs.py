@@ -111,8 +111,9 @@ def _folders(made: Iterable[tuple[str, GeneratedDocument]]) -> list[Folder]:
 def _archive(documents: Iterable[GeneratedDocument]) -> bytes:
     """The documents in folders that are called as their views."""
     data = BytesIO()
-    with ZipFile(data, "w", ZIP_DEFLATED) as archive:
+    with ZipFile(data, "w") as archive:
         for each in documents:
             if each.is_made:
-                archive.writestr(ZipInfo(f"{each.view}/{each.file}", _OLDEST), each.text.encode("utf-8", "replace"))
+                entry = ZipInfo(f"{each.view}/{each.file}", _OLDEST)
+                archive.writestr(entry, each.text.encode("utf-8", "replace"), ZIP_DEFLATED)
     return data.getvalue()
