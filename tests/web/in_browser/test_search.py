@@ -1,6 +1,6 @@
 """Search as one types."""
 
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
 
 from tests.web.in_browser.conftest import Opener
 
@@ -16,6 +16,22 @@ def test_results_come_as_one_types_and_back_returns_to_the_tree(open_page: Opene
     page.go_back()
     expect(page.locator("h1")).to_have_text("Label")
     page.go_forward()
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+
+
+def test_a_step_in_the_history_while_the_page_loads_is_followed(open_page: Opener) -> None:
+    page = open_page("/tree/small/Vehicle.Label")
+    page.keyboard.press("/")
+    page.keyboard.type("speed")
+    expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
+    waiting: list[Route] = []
+    page.route("**/sigcat*.js*", lambda route: waiting.append(route))  # noqa: PLW0108 — playwright marks the function
+    page.go_back(wait_until="commit")
+    expect(page.locator("h1")).to_have_text("Label")
+    page.go_forward(wait_until="commit")
+    for route in waiting.copy():
+        route.continue_()
+    page.unroute("**/sigcat*.js*")
     expect(page.locator(".hits a").first).to_have_text("Vehicle.Speed")
 
 

@@ -136,6 +136,10 @@ const move = (event, step) => {
   next.focus();
 };
 
+// A step in the history while this page was loading: no script was there to follow it.
+const [loaded] = performance.getEntriesByType("navigation");
+if (isSearch() !== main.classList.contains("search") && new URL(loaded.name).pathname !== location.pathname) location.reload();
+
 // Going back from results to a tree, or on from a tree to results, loads the page: its state is its address.
 addEventListener("popstate", () => {
   const showsResults = main.classList.contains("search");
