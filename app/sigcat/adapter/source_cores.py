@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.core_files import all_files
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.host.plan import HostPlan, host_plan
+from sigcat.adapter.host.host_plan import HostPlan, host_plan
 from sigcat.findings import Finding, RuleCode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 

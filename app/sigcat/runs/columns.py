@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.host.connections import Entry, Exit, Member, connect
-from sigcat.adapter.host.plan import Kind
+from sigcat.adapter.host.host_plan import Kind
 from sigcat.adapter.host.shapes import Shape
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal

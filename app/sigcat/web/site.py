@@ -25,13 +25,13 @@ from sigcat.rules.linting.options import NO_OPTIONS, LintOptions
 from sigcat.web.pages import (
     api_reference,
     basket_pages,
+    catalogue_change_pages,
     catalogue_pages,
-    change_pages,
-    comparison_pages,
     documentation_pages,
     function_pages,
     node_pages,
     openid_pages,
+    platform_comparison_pages,
     proposal_pages,
     registry_forms,
     registry_login,
@@ -49,11 +49,11 @@ from sigcat.web.visits import refuse_unknown
 
 _PAGES = (
     start_page,
-    comparison_pages,
+    platform_comparison_pages,
     function_pages,
     set_pages,
     try_pages,
-    change_pages,
+    catalogue_change_pages,
     node_pages,
     basket_pages,
     proposal_pages,
@@ -79,9 +79,9 @@ def create_site(
     """The API with the browser pages. Without functions given: those that sigcat ships; `lint` has the rules of a project."""
     app = create_app(library, settings, functions, registry, lint)
     app.state.modules_of_work += [
-        comparison_pages.__name__,
+        platform_comparison_pages.__name__,
         function_pages.__name__,
-        change_pages.__name__,
+        catalogue_change_pages.__name__,
         node_pages.__name__,
         proposal_pages.__name__,
         registry_pages.__name__,

@@ -4,7 +4,7 @@ import pytest
 from clang.cindex import Index, TokenKind
 
 from sigcat.adapter.core.c.text.lines import Line, code_of, lines, replaced, wrapped
-from sigcat.adapter.line_breaks import ROS, C, broken
+from sigcat.adapter.long_lines import ROS, C, broken
 from sigcat.function.document.text_filters import block_comment, c_string
 
 HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8

@@ -10,7 +10,7 @@ from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Argument, CorePlan, Method, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
-from sigcat.adapter.host.plan import Kind, received_values, sent_values
+from sigcat.adapter.host.host_plan import Kind, received_values, sent_values
 from sigcat.adapter.host.ranges import Range, range_of
 from sigcat.adapter.host.shapes import Array, Number, Record, Shape
 from sigcat.errors import InputRefused

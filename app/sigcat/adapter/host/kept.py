@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.host.connections import Member, shape_of, sides_of, structs_of
-from sigcat.adapter.host.plan import stored_keys
+from sigcat.adapter.host.host_plan import stored_keys
 from sigcat.adapter.host.shapes import Number, Record, Shape
 
 COUNTS = Record((

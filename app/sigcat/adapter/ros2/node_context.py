@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.integration.ros2.model import Communication, Message, RosNode, RosService, RosTopic
 
 

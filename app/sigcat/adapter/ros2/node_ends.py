@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Method, WireType
-from sigcat.adapter.host.plan import HostPlan, HostValue
+from sigcat.adapter.host.host_plan import HostPlan, HostValue
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import (
     ArgumentField,

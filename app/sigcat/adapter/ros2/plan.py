@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from sigcat.adapter.core.plan import Argument, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy

@@ -11,7 +11,7 @@ from sigcat.api.requests.dependencies import TheFunctions, TheLibrary
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.catalogue.hosting.library import Hosted, Library
-from sigcat.web.pages.change_pages import changes_between, sides_of
+from sigcat.web.pages.catalogue_change_pages import changes_between, sides_of
 from sigcat.web.rendering import page
 from sigcat.web.views.function_states import function_states
 

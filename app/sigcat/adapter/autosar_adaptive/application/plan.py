@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
 from sigcat.adapter.core.plan import Call, CorePlan, Error, Parameter, Port, WireStruct, WireType
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Union
 
 from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, WireType
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Port, Runnable
 
 

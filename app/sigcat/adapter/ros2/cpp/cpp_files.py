@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.line_breaks import ROS, fitted
+from sigcat.adapter.long_lines import ROS, fitted
 from sigcat.adapter.ros2.cpp.cmake import cmake
 from sigcat.adapter.ros2.cpp.node.header import node_header
 from sigcat.adapter.ros2.cpp.node.source import main_source, node_source

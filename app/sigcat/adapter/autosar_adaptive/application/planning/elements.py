@@ -15,7 +15,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 )
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, instance_specifier, member_name
 from sigcat.adapter.core.plan import Argument, Port
-from sigcat.adapter.host.plan import HostPlan, HostValue
+from sigcat.adapter.host.host_plan import HostPlan, HostValue
 from sigcat.integration.autosar_adaptive.model import Component, Event, MethodArgument, ServiceField, ServiceInterface
 
 SAMPLES = 16

@@ -28,7 +28,7 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, service_names, type_names
 from sigcat.adapter.core.plan import CorePlan
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding

@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import StructPair
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames
 from sigcat.adapter.core.core_values import struct_name
 from sigcat.adapter.core.planning import context_of
-from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.host.host_plan import HostPlan
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 

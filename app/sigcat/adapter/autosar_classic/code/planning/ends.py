@@ -7,7 +7,7 @@ from itertools import islice
 
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
 from sigcat.adapter.autosar_classic.code.rte_types import type_of
-from sigcat.adapter.host.plan import HostPlan, HostValue
+from sigcat.adapter.host.host_plan import HostPlan, HostValue
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DataElement, Element, Port, Use
 
 

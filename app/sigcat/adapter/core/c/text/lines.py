@@ -5,7 +5,7 @@ import textwrap
 from typing import NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.line_breaks import C, broken
+from sigcat.adapter.long_lines import C, broken
 from sigcat.function.document.document import Pointer
 
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import CorePlan, Method
-from sigcat.adapter.host.plan import HostValue, received_values, sent_values
+from sigcat.adapter.host.host_plan import HostValue, received_values, sent_values
 from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
