@@ -24,7 +24,7 @@ def compose(bench: Bench) -> Row:
 
 
 def memory(bench: Bench) -> Row:
-    """What fifty vehicles hold, with the catalogue that they share."""
+    """Memory of fifty vehicles, with the catalogue that they share."""
     one, fifty = (probe("vehicles-memory", project(bench.folder, count))() for count in (1, _COUNT))
     ratio = fifty / one
     return Row(

@@ -10,7 +10,7 @@ class Layout(NamedTuple):
     step: str
     """Further indentation of the lines after a break."""
     signs: tuple[str, ...]
-    """Where a line is broken, the best place first."""
+    """Signs at which a line is broken, the best one first."""
     least: int
     """Characters that stay before a break."""
 

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 Number = TypeVar("Number", int, float)
 _COLUMNS = 80
-"""Of output that is not a terminal."""
+"""Columns of output that is not a terminal."""
 _LARGEST = 1_000_000_000
 """More than anybody waits or reads; no clock counts to much more."""
 

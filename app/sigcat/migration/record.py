@@ -25,7 +25,7 @@ class Recorded(NamedTuple):
     releases: Mapping[str, str]
     """By the path of the signal."""
     sha256: str
-    """Of the file, after the conversion."""
+    """Digest of the file, after the conversion."""
 
 
 Record = Mapping[Path, Recorded]

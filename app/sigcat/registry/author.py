@@ -1,4 +1,4 @@
-"""Who changes the registry, and what a team may change."""
+"""The author of a change of the registry, and the changes that a team may make."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple

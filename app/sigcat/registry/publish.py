@@ -28,7 +28,7 @@ Status = Literal["published", "draft", "pending", "unchanged"]
 
 
 class Outcome(NamedTuple):
-    """What became of a candidate."""
+    """The outcome of a candidate."""
 
     kind: Kind
     reference: Reference

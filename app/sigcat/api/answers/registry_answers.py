@@ -223,7 +223,7 @@ def _reference(published: Published) -> dict[str, Any]:
 
 
 def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt:
-    """What became of posted files."""
+    """The outcome of each posted file."""
     outcomes = [
         schemas.RegistryOutcome(
             **_identity(each.kind, *each.reference, each.owner),

@@ -68,7 +68,7 @@ Reader = Depends(may_read)
 
 
 def _author(authorization: str, registry: HostedRegistry, scope: "Scope", *, needs_token: bool) -> "Author":
-    """Who asks. Raises 401 without a valid token, 403 without the scope.
+    """The author of a request. Raises 401 without a valid token, 403 without the scope.
 
     A token is needed once there is one: a revoked one does not open what it closed.
     """

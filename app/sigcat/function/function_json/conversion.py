@@ -141,7 +141,7 @@ def is_outside(number: float | Fraction, low: float | Fraction | None, high: flo
 
 
 def as_written(value: object) -> Fraction | None:
-    """A number of YAML or JSON as it is written, 0.1 as a tenth, and true as 1; None if it is no finite number."""
+    """A number of YAML or JSON as it is written, 0.1 as a tenth, and true as 1; None if it is not finite."""
     if isinstance(value, bool):
         return Fraction(int(value))
     try:

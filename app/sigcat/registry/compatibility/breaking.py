@@ -61,7 +61,7 @@ def _changes(connection: Connection, catalogue: Catalogue) -> _Changes:
 
 
 class _Relied(NamedTuple):
-    """What functions rely on: few texts, which many nodes have."""
+    """Facts that functions rely on: few texts, which many nodes have."""
 
     values: Mapping[str, Any]
     known: str

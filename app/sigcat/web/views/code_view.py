@@ -126,7 +126,7 @@ def _of_data(item: Signal | DataQueue) -> list[str]:
 
 
 def _scaled(item: Signal | DataQueue | ParameterInterface) -> str:
-    """What a stored number means, where it is not the physical value itself."""
+    """The meaning of a stored number that is not the physical value itself."""
     factor, offset = str(item.factor or 1), str(item.offset or 0)
     if of_text(factor) in (1, None) and of_text(offset) in (0, None):
         return ""

@@ -31,7 +31,7 @@ class Receiver(NamedTuple):
 
     @property
     def argument(self) -> str:
-        """The received `value` for the core, or the copy `taken` of one that is no number."""
+        """The received `value` for the core, or the copy `taken` of a value other than a number."""
         if not self.wire.is_plain:
             return "&taken" if self.wire.is_one_struct else "taken"
         return f"static_cast<{self.wire.c}>(value)" if self.type.startswith("::") else "value"

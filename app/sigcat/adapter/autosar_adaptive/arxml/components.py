@@ -49,7 +49,7 @@ def root_name(component: Component) -> str:
 
 
 def root_reference(component: Component, known: Library) -> Tag:
-    """Reference to the root component, as the context of what is in it."""
+    """Reference to the root component, as the context of its elements."""
     root = known.path(paths.EXECUTABLES, component.executable, root_name(component))
     return reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE")
 

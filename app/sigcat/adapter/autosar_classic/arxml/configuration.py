@@ -63,7 +63,7 @@ def _module(name: str, containers: Iterable[Tag]) -> Tag:
 
 
 _FLOATS = ("RteActivationOffset", "RteExpectedActivationOffset", "RteExpectedTickDuration", "OsSecondsPerTick")
-"""Parameters that are no whole numbers."""
+"""Parameters that may have a fraction."""
 
 
 class _Target(NamedTuple):

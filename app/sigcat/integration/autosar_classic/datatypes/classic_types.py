@@ -29,7 +29,7 @@ class Meaning(NamedTuple):
 
 
 class Sent(NamedTuple):
-    """The catalogue's datatype of what the code has in another one."""
+    """The datatype of the catalogue for a value that the code has in another one."""
 
     symbols: tuple[EnumerationValue, ...] | None = None
     """Those of an enumeration, if they differ from those of the code."""

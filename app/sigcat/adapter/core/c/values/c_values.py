@@ -177,7 +177,7 @@ def transfer(value: Value, ends: Ends, kinds: Collection[str] = ()) -> Transfer:
 
 
 _LARGEST_DENOMINATOR = 10_000
-"""Of a fraction that says more than its decimal number."""
+"""Largest denominator of a fraction that says more than its decimal number."""
 
 
 def _constants(number: int, element: Element, ends: Ends) -> Iterator[Constant]:
