@@ -128,7 +128,7 @@ def fmu_of(functions, folder):
     deployment = deployed(name=NAME, fmi={"fmus": "set"})
     model = derive(functions, deployment, deployment.fmi).model
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sigcat.adapter.fmi.generate.read_integration", lambda *_: model)
+        patch.setattr("sigcat.adapter.fmi.fmu_files.read_integration", lambda *_: model)
         files = generate(written(model), "fmi.json", DEFAULT_LIMITS)
     for each in files:
         path = folder / "made" / each.name
