@@ -1,4 +1,4 @@
 """Functions and the settings of ROS 2 in; Integration JSON for it, findings and a report out.
 
-Packages, messages, topics and nodes are derived; `derive.py` is the whole way.
+Packages, messages, topics and nodes are derived; `ros2_integration.py` is the whole way.
 """
