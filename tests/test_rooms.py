@@ -29,6 +29,12 @@ def test_a_room_says_in_two_lines_what_comes_in_and_what_goes_out():
         assert len([line for line in text.splitlines() if line]) == 2, module(package)
 
 
+def test_the_architecture_names_each_file_that_all_rooms_may_use():
+    page = (ROOT / "docs/explanation/architecture.md").read_text("utf-8")
+    files = [path.name for path in (ROOT / "app/sigcat").glob("*.py") if not path.name.startswith("__")]
+    assert [name for name in sorted(files) if f"`{name}`" not in page] == []
+
+
 def test_each_room_has_a_place_in_the_order():
     (order,) = [each["layers"] for each in CONTRACTS if each["type"] == "layers"]
     rooms = [package.name for package in PACKAGES if package.parent == ROOT / "app/sigcat"]

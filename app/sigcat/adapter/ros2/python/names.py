@@ -65,6 +65,12 @@ def typed(wire: WireType, *, is_sequence: bool = False) -> str:
     return f"Sequence[{one}]" if is_sequence else f"List[{one}]"
 
 
+def typing_names(wire: WireType, *, is_sequence: bool = False) -> set[str]:
+    """Names of `typing` in this type."""
+    mapping, listed = ("Mapping", "Sequence") if is_sequence else ("Dict", "List")
+    return {*((mapping, "Any") if wire.is_struct else ()), *(() if wire.length is None else (listed,))}
+
+
 def _scalar(c: str) -> str:
     kind = type_of_c(c)
     assert kind is not None

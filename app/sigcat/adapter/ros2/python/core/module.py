@@ -1,6 +1,5 @@
 """The module of a core: a class over the shared library that notebooks use without ROS."""
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -8,7 +7,7 @@ from sigcat.adapter.core.plan import CorePlan, Method
 from sigcat.adapter.host.host_plan import HostValue, received_values, sent_values
 from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
-from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
+from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed, typing_names
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
 
@@ -79,11 +78,14 @@ def core_module(node: NodePlan) -> str:
 
 
 def _typing_imports(core: CorePlan) -> Sequence[Import]:
-    types = [*map(_received_type, received_values(core)), *map(_sent_type, sent_values(core))]
-    types += ["Tuple[int, Dict[str, Any]]"] if core.methods else []
-    types += ["Mapping[str, Any]"] if core.requests else []
-    types += ["NamedTuple"] if core.published else []
-    used = set(re.findall(r"[A-Z]\w+", " ".join(types)))
+    received, sent = tuple(received_values(core)), tuple(sent_values(core))
+    used = set().union(*(typing_names(each.wire, is_sequence=True) for each in received))
+    used = used.union(
+        *(typing_names(each.wire) for each in sent), {"List"} if any(each.is_queue for each in sent) else ()
+    )
+    used |= {"Tuple", "Dict", "Any"} if core.methods else set()
+    used |= {"Mapping", "Any"} if core.requests else set()
+    used |= {"NamedTuple"} if core.published else set()
     return imports([("typing", used)]) if used else ()
 
 
