@@ -10,8 +10,8 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.reading.statement import Origin, Statement
-from sigcat.findings import Finding, in_order
-from sigcat.names import bounded_proposals, parent_path
+from sigcat.findings import Finding
+from sigcat.names import parent_path
 from sigcat.rules.checks.kind import NodeTest
 from sigcat.rules.near_paths import with_another_branch
 from sigcat.rules.patterns import SlowPattern
@@ -26,12 +26,6 @@ if TYPE_CHECKING:
 
 Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
-
-
-@bounded_proposals()
-def lint_catalogue(catalogue: Catalogue, rules: RuleSet) -> tuple[Finding, ...]:
-    """Every finding of `rules` in a catalogue, those of its composition among them, by file and line."""
-    return in_order([finding for finding, _ in found_in(catalogue, rules)])
 
 
 def found_in(

@@ -6,7 +6,8 @@ import pytest
 
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.wire import written
-from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
+from sigcat.integration.autosar_adaptive.document import read_integration
+from tests.integration.autosar_adaptive.identifiers import identifiers_of
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function, signal
 
 SPEED, ANGLE = "VehicleBranchService.Branch_Speed", "VehicleBranchService.Branch_Angle"

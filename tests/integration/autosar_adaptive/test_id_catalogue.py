@@ -5,11 +5,11 @@ import pytest
 from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.adapter.autosar_adaptive.arxml.reading import read_arxml
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.document import identifiers_of
 from sigcat.integration.autosar_adaptive.someip.id_catalogue import read_csv
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from sigcat.platforms.table import PLATFORMS
+from tests.integration.autosar_adaptive.identifiers import identifiers_of
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function
 
 PATHS = [f"Vehicle.Branch.Signal{i}" for i in range(900)]

@@ -1,8 +1,8 @@
 """Ids of services, events and methods: given, taken over, or made from the name."""
 
-from sigcat.integration.autosar_adaptive.document import identifiers_of
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from tests.integration.autosar_adaptive.derived import services
+from tests.integration.autosar_adaptive.identifiers import identifiers_of
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function
 
 

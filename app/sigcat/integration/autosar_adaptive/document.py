@@ -5,7 +5,7 @@ from sigcat.errors import InputRefused
 from sigcat.function.document.document import pointer_text
 from sigcat.integration.autosar_adaptive.completion import completed
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
-from sigcat.integration.autosar_adaptive.problems import numbers_of, problems_of
+from sigcat.integration.autosar_adaptive.problems import problems_of
 from sigcat.integration.checked_document import DocumentKind
 
 _KIND = DocumentKind("autosar-adaptive", IntegrationModel, codes.NOT_WRITABLE_AS_ARXML, problems_of, completed)
@@ -24,16 +24,3 @@ def writable(model: IntegrationModel) -> IntegrationModel:
         )
         raise InputRefused("The integration cannot be written as ARXML.", findings)
     return whole
-
-
-_SUFFIXES = {"instance": ":instance", "data id": ":dataId"}
-
-
-def identifiers_of(model: IntegrationModel) -> dict[str, int]:
-    """Every id of a model under the key that fixes it in a deployment: whatever is added later, these stay."""
-    found: dict[str, int] = {}
-    for component in completed(model).components:
-        for interface in component.services:
-            for (_, kind), owner, value, _ in numbers_of(interface):
-                found[f"{owner}{_SUFFIXES.get(kind, '')}"] = value
-    return dict(sorted(found.items()))
