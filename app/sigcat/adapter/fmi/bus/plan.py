@@ -5,7 +5,14 @@ from typing import NamedTuple
 
 from sigcat.adapter.fmi.bus.formula import CFormula, in_c
 from sigcat.adapter.fmi.variables import Layout, Variable
-from sigcat.integration.fmi.bus import BusMapping, BusSignal, FmuBus
+from sigcat.integration.fmi.bus import BusMapping, BusMessage, BusSignal, FmuBus
+
+
+class Message(NamedTuple):
+    """A message, with the index of its first signal."""
+
+    of: BusMessage
+    first: int
 
 
 class Signal(NamedTuple):
@@ -14,6 +21,21 @@ class Signal(NamedTuple):
     of: BusSignal
     message: int
     first: int
+
+    @property
+    def least(self) -> str:
+        """Its smallest value."""
+        return "-INFINITY" if self.of.min is None else double(self.of.min)
+
+    @property
+    def greatest(self) -> str:
+        """Its greatest value."""
+        return "INFINITY" if self.of.max is None else double(self.of.max)
+
+    @property
+    def step(self) -> str:
+        """Distance of two values; 0 of real numbers."""
+        return double(0 if self.of.encoding == "real" else abs(self.of.factor))
 
 
 class MappedVariable(NamedTuple):
@@ -26,22 +48,35 @@ class MappedVariable(NamedTuple):
     variable: Variable
     formula: CFormula | None
 
+    @property
+    def is_sent(self) -> bool:
+        """Whether the FMU sends it."""
+        return self.of.direction == "sent"
+
+    @property
+    def reference(self) -> int:
+        """Value reference of the variable; of one that is sent, the number of the output."""
+        return self.variable.owner if self.is_sent else self.of.reference
+
 
 class BusPlan(NamedTuple):
     """Plan of the tables of a bus."""
 
     bus: FmuBus
+    messages: tuple[Message, ...]
     signals: tuple[Signal, ...]
     mappings: tuple[MappedVariable, ...]
 
 
 def bus_plan(bus: FmuBus, layout: Layout) -> BusPlan:
     """The tables of a bus."""
+    messages: list[Message] = []
     signals: list[Signal] = []
     for number, message in enumerate(bus.messages):
         first = len(signals)
+        messages.append(Message(message, first))
         signals += [Signal(each, number, first) for each in message.signals]
-    return BusPlan(bus, tuple(signals), tuple(_mappings(signals, layout)))
+    return BusPlan(bus, tuple(messages), tuple(signals), tuple(_mappings(signals, layout)))
 
 
 def _mappings(signals: Sequence[Signal], layout: Layout) -> Iterator[MappedVariable]:
